@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The named parameters of this package, one line each. No include guard: the list is read more than once, each time
+// with another meaning of the macro. Each function documents the parameters that it takes.
+
+#ifdef CGAL_T_SPLINES_NAMED_PARAMETER
+
+// Cross_field
+CGAL_T_SPLINES_NAMED_PARAMETER(loop_turning_numbers)
+CGAL_T_SPLINES_NAMED_PARAMETER(curvature_alignment)
+
+// Similarity_map
+CGAL_T_SPLINES_NAMED_PARAMETER(residual_tolerance)
+CGAL_T_SPLINES_NAMED_PARAMETER(flip_policy)
+CGAL_T_SPLINES_NAMED_PARAMETER(number_type)
+CGAL_T_SPLINES_NAMED_PARAMETER(output_vertex_point_map)
+CGAL_T_SPLINES_NAMED_PARAMETER(vertex_location_map)
+CGAL_T_SPLINES_NAMED_PARAMETER(edge_is_cut_map)
+CGAL_T_SPLINES_NAMED_PARAMETER(halfedge_transition_map)
+
+#endif // CGAL_T_SPLINES_NAMED_PARAMETER
