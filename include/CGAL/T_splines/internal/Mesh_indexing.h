@@ -19,6 +19,14 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
+// The members of Mesh_indexing hide the graph's free function `halfedge()`.
+template <typename FaceGraph>
+typename boost::graph_traits<FaceGraph>::halfedge_descriptor
+first_halfedge(const typename boost::graph_traits<FaceGraph>::edge_descriptor e, const FaceGraph& graph)
+{
+  return halfedge(e, graph);
+}
+
 /// The bijection between the descriptors of a face graph and consecutive indices, in the order in which the graph
 /// lists its elements.
 ///
@@ -49,8 +57,8 @@ public:
       m_vertices.push_back(v);
     }
     for (const edge_descriptor e : CGAL::make_range(edges(graph))) {
-      const halfedge_descriptor h = CGAL::halfedge(e, graph);
-      for (const halfedge_descriptor g : {h, CGAL::opposite(h, graph)}) {
+      const halfedge_descriptor h = first_halfedge<FaceGraph>(e, graph);
+      for (const halfedge_descriptor g : {h, opposite(h, graph)}) {
         put(m_halfedge_index, g, static_cast<int>(m_halfedges.size()));
         m_halfedges.push_back(g);
       }
