@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The T_splines authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Usage: check_headers.sh INCLUDE_DIRECTORY
+# Checks what every header owes: its licence line, a guard that is named after its path, at most 800 lines, no output,
+# no end of the program, no plain assert.
+
+set -u
+cd "$1" || exit 2
+failures=0
+
+complain()
+{
+  if [ -n "$2" ]; then
+    printf '%s\n%s\n' "$1" "$2"
+    failures=$((failures + 1))
+  fi
+}
+
+mapfile -t headers < <(find . -name '*.h' -printf '%P\n' | sort)
+if [ ${#headers[@]} -eq 0 ]; then
+  echo "no headers in $1"
+  exit 2
+fi
+
+complain "Output, end of the program or plain assert:" \
+  "$(grep -nE 'std::(cerr|cout|clog|exit|abort|terminate)\b|(^|[^_[:alnum:]])(f?printf|puts|exit|abort|assert) *\(|<(cassert|iostream)>' \
+     "${headers[@]}")"
+complain "No SPDX line in the first two lines:" \
+  "$(for h in "${headers[@]}"; do
+       [ "$(sed -n 2p "$h")" = "// SPDX-License-Identifier: GPL-3.0-or-later" ] || echo "$h"
+     done)"
+complain "More than 800 lines:" "$(for h in "${headers[@]}"; do [ "$(wc -l < "$h")" -le 800 ] || echo "$h"; done)"
+
+# The list of named parameters is included several times: it has no guard.
+complain "No include guard named after the path:" \
+  "$(for h in "${headers[@]}"; do
+       [ "$h" = CGAL/T_splines/internal/named_parameters_list.h ] && continue
+       guard=$(printf '%s' "$h" | tr '[:lower:]/.-' '[:upper:]___')
+       grep -qx "#define $guard" "$h" || echo "$h: $guard"
+     done)"
+
+exit $((failures > 0))
