@@ -9,6 +9,8 @@
 // Cross_field
 CGAL_T_SPLINES_NAMED_PARAMETER(loop_turning_numbers)
 CGAL_T_SPLINES_NAMED_PARAMETER(curvature_alignment)
+CGAL_T_SPLINES_NAMED_PARAMETER(border_is_allowed)
+CGAL_T_SPLINES_NAMED_PARAMETER(halfedge_matching_map)
 
 // Similarity_map
 CGAL_T_SPLINES_NAMED_PARAMETER(residual_tolerance)

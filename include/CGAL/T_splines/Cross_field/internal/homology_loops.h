@@ -77,13 +77,14 @@ public:
     return result;
   }
 
-private:
-  Index parent(const Index f) const { return m_mesh.face(m_mesh.opposite(m_entry[f])); }
-
+  /// tells whether the dual tree crosses the edge of `h`.
   bool in_dual_tree(const Index h) const
   {
     return m_entry[m_mesh.face(h)] == h || m_entry[m_mesh.face(m_mesh.opposite(h))] == m_mesh.opposite(h);
   }
+
+private:
+  Index parent(const Index f) const { return m_mesh.face(m_mesh.opposite(m_entry[f])); }
 
   void grow_dual_tree(const std::vector<Index>& faces, const Index root)
   {

@@ -1,0 +1,186 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_CROSS_FIELD_CHECK_TRIANGLE_MESH_H
+#define CGAL_T_SPLINES_CROSS_FIELD_CHECK_TRIANGLE_MESH_H
+
+#include <CGAL/T_splines/named_parameters.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/internal/named_params_helper.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
+#include <type_traits>
+
+namespace CGAL {
+namespace T_splines {
+
+/// What `check_triangle_mesh()` finds first.
+enum class Triangle_mesh_status {
+  VALID,               ///< everything that this package asks of a mesh holds
+  EMPTY,               ///< the mesh has no face
+  NOT_TRIANGULATED,    ///< `face` has not three edges
+  NON_FINITE_POINT,    ///< a coordinate of `vertex` is infinite or not a number
+  BORDER,              ///< `halfedge` has no face
+  ISOLATED_VERTEX,     ///< `vertex` has no edge
+  NON_MANIFOLD_VERTEX, ///< the faces at `vertex` form more than one fan
+  ZERO_LENGTH_EDGE,    ///< the two ends of `halfedge` coincide
+  ZERO_AREA_FACE       ///< the corners of `face` are collinear, exactly
+};
+
+/// returns one sentence that explains `status`.
+inline const char* message(const Triangle_mesh_status status)
+{
+  switch (status) {
+  case Triangle_mesh_status::VALID: return "the mesh is valid";
+  case Triangle_mesh_status::EMPTY: return "the mesh has no face";
+  case Triangle_mesh_status::NOT_TRIANGULATED: return "a face is not a triangle";
+  case Triangle_mesh_status::NON_FINITE_POINT: return "a vertex has a coordinate that is infinite or not a number";
+  case Triangle_mesh_status::BORDER: return "the mesh has a border";
+  case Triangle_mesh_status::ISOLATED_VERTEX: return "a vertex has no edge";
+  case Triangle_mesh_status::NON_MANIFOLD_VERTEX: return "the faces at a vertex form more than one fan";
+  case Triangle_mesh_status::ZERO_LENGTH_EDGE: return "an edge has length zero";
+  case Triangle_mesh_status::ZERO_AREA_FACE: return "a face has area zero";
+  }
+  return "";
+}
+
+/// The result of `check_triangle_mesh()`: what is wrong, and where. Descriptors that `status` does not mention are null.
+/// \tparam TriangleMesh a model of `FaceGraph`.
+template <typename TriangleMesh>
+struct Triangle_mesh_report {
+  using Traits = boost::graph_traits<TriangleMesh>;
+
+  Triangle_mesh_status status = Triangle_mesh_status::VALID;
+  typename Traits::vertex_descriptor vertex = Traits::null_vertex();
+  typename Traits::halfedge_descriptor halfedge = Traits::null_halfedge();
+  typename Traits::face_descriptor face = Traits::null_face();
+
+  bool success() const { return status == Triangle_mesh_status::VALID; }
+};
+
+namespace internal {
+
+// Collinearity is decided exactly for points with floating-point coordinates, whatever their kernel, and by the
+// kernel's own predicate otherwise.
+template <typename GeomTraits, typename Point_3>
+bool are_collinear(const GeomTraits& traits, const Point_3& p, const Point_3& q, const Point_3& r)
+{
+  if constexpr (std::is_floating_point_v<typename GeomTraits::FT>) {
+    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+    const auto convert = [](const Point_3& a) { return Kernel::Point_3(a.x(), a.y(), a.z()); };
+    return Kernel().collinear_3_object()(convert(p), convert(q), convert(r));
+  }
+  else
+    return traits.collinear_3_object()(p, q, r);
+}
+
+template <typename TriangleMesh>
+Triangle_mesh_report<TriangleMesh> check_mesh_connectivity(const TriangleMesh& mesh, const bool is_border_allowed)
+{
+  using Traits = boost::graph_traits<TriangleMesh>;
+  using Vertex_counts = typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<int>>::const_type;
+  Triangle_mesh_report<TriangleMesh> report;
+  const auto fail = [&report](const Triangle_mesh_status status) { report.status = status; return report; };
+  if (faces(mesh).begin() == faces(mesh).end())
+    return fail(Triangle_mesh_status::EMPTY);
+  for (const typename Traits::face_descriptor f : faces(mesh)) {
+    if (!CGAL::is_triangle(halfedge(f, mesh), mesh)) {
+      report.face = f;
+      return fail(Triangle_mesh_status::NOT_TRIANGULATED);
+    }
+  }
+  const Vertex_counts degree = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
+  for (const typename Traits::vertex_descriptor v : vertices(mesh))
+    put(degree, v, 0);
+  for (const typename Traits::halfedge_descriptor h : halfedges(mesh)) {
+    if (!is_border_allowed && is_border(h, mesh)) {
+      report.halfedge = h;
+      return fail(Triangle_mesh_status::BORDER);
+    }
+    put(degree, target(h, mesh), get(degree, target(h, mesh)) + 1);
+  }
+  for (const typename Traits::vertex_descriptor v : vertices(mesh)) {
+    int degree_of_fan = 0;
+    if (get(degree, v) > 0)
+      for (const typename Traits::halfedge_descriptor h : CGAL::halfedges_around_target(v, mesh)) {
+        degree_of_fan += 1;
+        static_cast<void>(h);
+      }
+    if (degree_of_fan == get(degree, v) && degree_of_fan > 0)
+      continue;
+    report.vertex = v;
+    return fail(degree_of_fan == 0 ? Triangle_mesh_status::ISOLATED_VERTEX : Triangle_mesh_status::NON_MANIFOLD_VERTEX);
+  }
+  return report;
+}
+
+template <typename TriangleMesh, typename VertexPointMap, typename GeomTraits>
+Triangle_mesh_report<TriangleMesh> check_mesh_geometry(const TriangleMesh& mesh, const VertexPointMap& points,
+                                                       const GeomTraits& traits)
+{
+  using Traits = boost::graph_traits<TriangleMesh>;
+  Triangle_mesh_report<TriangleMesh> report;
+  const auto fail = [&report](const Triangle_mesh_status status) { report.status = status; return report; };
+  for (const typename Traits::vertex_descriptor v : vertices(mesh)) {
+    const auto& p = get(points, v);
+    if (!std::isfinite(CGAL::to_double(p.x())) || !std::isfinite(CGAL::to_double(p.y())) ||
+        !std::isfinite(CGAL::to_double(p.z()))) {
+      report.vertex = v;
+      return fail(Triangle_mesh_status::NON_FINITE_POINT);
+    }
+  }
+  for (const typename Traits::edge_descriptor e : edges(mesh)) {
+    if (get(points, source(e, mesh)) == get(points, target(e, mesh))) {
+      report.halfedge = halfedge(e, mesh);
+      return fail(Triangle_mesh_status::ZERO_LENGTH_EDGE);
+    }
+  }
+  for (const typename Traits::face_descriptor f : faces(mesh)) {
+    const typename Traits::halfedge_descriptor h = halfedge(f, mesh);
+    if (are_collinear(traits, get(points, source(h, mesh)), get(points, target(h, mesh)),
+                      get(points, target(next(h, mesh), mesh)))) {
+      report.face = f;
+      return fail(Triangle_mesh_status::ZERO_AREA_FACE);
+    }
+  }
+  return report;
+}
+
+} // namespace internal
+
+/// checks whether a mesh is what this package computes on: a closed triangle mesh whose vertices are manifold and whose
+/// edges and faces are not degenerate. Several connected components are allowed.
+///
+/// The tests of the geometry are exact: they neither depend on the size of the mesh nor on its distance from the
+/// origin. Connectivity is judged first.
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param mesh the mesh
+/// \param np named parameters: `vertex_point_map`; `geom_traits`; `border_is_allowed` (bool, default `false`)
+/// \return the first defect found, and the element that has it.
+/// Complexity: linear.
+template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Triangle_mesh_report<TriangleMesh> check_triangle_mesh(const TriangleMesh& mesh,
+                                                       const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using GeomTraits = typename CGAL::GetGeomTraits<TriangleMesh, NamedParameters>::type;
+  const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                       get_const_property_map(CGAL::vertex_point, mesh));
+  const auto traits = choose_parameter<GeomTraits>(get_parameter(np, CGAL::internal_np::geom_traits));
+  const bool is_border_allowed = choose_parameter(get_parameter(np, np_tags::border_is_allowed), false);
+  const Triangle_mesh_report<TriangleMesh> report = internal::check_mesh_connectivity(mesh, is_border_allowed);
+  return report.success() ? internal::check_mesh_geometry(mesh, points, traits) : report;
+}
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_CROSS_FIELD_CHECK_TRIANGLE_MESH_H

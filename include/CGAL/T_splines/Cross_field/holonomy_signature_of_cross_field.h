@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_CROSS_FIELD_HOLONOMY_SIGNATURE_OF_CROSS_FIELD_H
+#define CGAL_T_SPLINES_CROSS_FIELD_HOLONOMY_SIGNATURE_OF_CROSS_FIELD_H
+
+#include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
+#include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
+#include <CGAL/T_splines/Cross_field/internal/Closed_mesh.h>
+#include <CGAL/T_splines/Cross_field/internal/cross_angles.h>
+#include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
+#include <CGAL/T_splines/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+// The rotation of the field across each edge, by given matchings if there are any.
+template <typename TriangleMesh, typename NamedParameters>
+std::vector<double> matched_rotations(const Closed_mesh<TriangleMesh>& mesh, const std::vector<double>& angle_in_face,
+                                      const NamedParameters& np)
+{
+  const std::vector<double> angle = angles_to_halfedges(mesh.m_connectivity, mesh.m_geometry, angle_in_face);
+  const auto matching_map = CGAL::parameters::get_parameter(np, np_tags::halfedge_matching_map);
+  if constexpr (std::is_same_v<std::decay_t<decltype(matching_map)>, CGAL::internal_np::Param_not_found>)
+    return field_rotations(mesh.m_connectivity, angle);
+  else {
+    std::vector<int> matching(mesh.m_connectivity.number_of_edges());
+    for (std::size_t e = 0; e < matching.size(); ++e)
+      matching[e] = static_cast<int>(get(matching_map, mesh.m_indexing.halfedge(2 * static_cast<int>(e))));
+    return field_rotations(mesh.m_connectivity, angle, matching);
+  }
+}
+
+template <typename TriangleMesh>
+void signature_of_rotations(const Closed_mesh<TriangleMesh>& mesh, const std::vector<double>& rotation,
+                            Holonomy_signature<TriangleMesh>& signature,
+                            Holonomy_signature_report<TriangleMesh>& report)
+{
+  const std::vector<double>& corner_angle = mesh.m_geometry.m_corner_angle;
+  const std::vector<double> turns = vertex_quarter_turns(mesh.m_connectivity, corner_angle, rotation);
+  for (int v = 0; v < mesh.m_connectivity.number_of_vertices(); ++v) {
+    int k = 0;
+    if (!round_turns(turns[v], k, report.deviation)) {
+      report.status = Holonomy_signature_status::VERTEX_NOT_INTEGER;
+      report.vertex = mesh.m_indexing.vertex(v);
+      return;
+    }
+    signature.set_quarter_turns(mesh.m_indexing.vertex(v), k);
+  }
+  for (const std::vector<int>& strip : mesh.short_loops()) {
+    int k = 0;
+    if (!round_turns(strip_quarter_turns(mesh.m_connectivity, strip, corner_angle, rotation), k, report.deviation)) {
+      report.status = Holonomy_signature_status::LOOP_NOT_INTEGER;
+      report.index = signature.loops().size();
+      return;
+    }
+    signature.add_loop(mesh.halfedges_of(strip), k);
+  }
+  mesh.check_cones(signature, report);
+}
+
+} // namespace internal
+
+/// computes the holonomy signature of a cross field: how often the crosses turn around each vertex and along 2g short loops that
+/// generate the homology of each connected component.
+///
+/// Crosses in neighboring faces are matched by the closest rotation, at most pi/4, unless matchings are given. The number
+/// of a loop is the turning of its strip in the metric of the mesh minus the rotations of the field across its edges ([CZ17]
+/// section 2.1), the same for a vertex and the counter-clockwise loop around it.
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam CrossFieldMap a model of `ReadablePropertyMap` from faces to three-dimensional vectors
+/// \param mesh a closed triangle mesh, as `check_triangle_mesh()` demands
+/// \param cross_field one of the four directions of the cross in each face; its length and its component normal to the
+///        face do not matter
+/// \param signature is cleared and filled; its contents are meaningful only upon success
+/// \param np named parameters: `vertex_point_map`; `geom_traits`; `halfedge_matching_map`: a readable property map from
+///        halfedges to integers that gives, for the halfedge `h = halfedge(e, mesh)` of each edge `e`, the number m of quarter turns
+///        such that the direction in the face of `opposite(h)` corresponds to the one in the face of `h` turned
+///        counter-clockwise by m pi/2; it decides where the closest rotation would be another
+/// \return the status INVALID_MESH, INVALID_FIELD, VERTEX_NOT_INTEGER, LOOP_NOT_INTEGER, NON_POSITIVE_CONE (a field that turns
+///         by a full turn or more at a vertex), GAUSS_BONNET_VIOLATED (impossible without given matchings) or VALID.
+/// Complexity: O(n log n) in the number of faces.
+template <typename TriangleMesh, typename CrossFieldMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Holonomy_signature_report<TriangleMesh>
+holonomy_signature_of_cross_field(const TriangleMesh& mesh, const CrossFieldMap& cross_field,
+                                  Holonomy_signature<TriangleMesh>& signature,
+                                  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  Holonomy_signature_report<TriangleMesh> report;
+  signature.clear();
+  report.mesh = internal::check_closed_mesh(mesh, np);
+  if (!report.mesh.success()) {
+    report.status = Holonomy_signature_status::INVALID_MESH;
+    return report;
+  }
+  const internal::Closed_mesh<TriangleMesh> closed_mesh(mesh, np);
+  std::vector<double> angle;
+  const int face_without_direction = internal::cross_angles(closed_mesh.m_indexing, closed_mesh.m_connectivity,
+                                                            closed_mesh.m_geometry, cross_field, angle);
+  if (face_without_direction != internal::Triangulation_connectivity::null) {
+    report.status = Holonomy_signature_status::INVALID_FIELD;
+    report.face = closed_mesh.m_indexing.face(face_without_direction);
+    return report;
+  }
+  const std::vector<double> rotation = internal::matched_rotations(closed_mesh, angle, np);
+  internal::signature_of_rotations(closed_mesh, rotation, signature, report);
+  return report;
+}
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_CROSS_FIELD_HOLONOMY_SIGNATURE_OF_CROSS_FIELD_H
