@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_IO_INTERNAL_TEXT_SCANNER_H
+#define CGAL_T_SPLINES_IO_INTERNAL_TEXT_SCANNER_H
+
+#include <CGAL/T_splines/IO/Mesh_reading_report.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// Reads a text line by line and each line token by token, and knows the number of the line.
+///
+/// Comments run from `#` to the end of the line. Lines end with LF, CR LF or CR. It copies nothing.
+class Text_scanner {
+public:
+  explicit Text_scanner(const std::string_view text) : m_rest(text) {}
+
+  /// moves to the next line that has a token; returns `false` at the end of the text.
+  bool next_line()
+  {
+    while (!m_rest.empty()) {
+      take_line();
+      skip_blanks();
+      if (!m_line_rest.empty())
+        return true;
+    }
+    return false;
+  }
+
+  /// The next token of this line; `false` at its end.
+  bool next_token(std::string_view& token)
+  {
+    skip_blanks();
+    if (m_line_rest.empty())
+      return false;
+    std::size_t length = 0;
+    while (length < m_line_rest.size() && !is_blank(m_line_rest[length]))
+      ++length;
+    token = m_line_rest.substr(0, length);
+    m_line_rest.remove_prefix(length);
+    return true;
+  }
+
+  /// continues this line with the next one (for formats in which a backslash does so).
+  bool join_next_line()
+  {
+    if (m_rest.empty())
+      return false;
+    take_line();
+    return true;
+  }
+
+  /// counts the tokens of this line from here on.
+  std::size_t count_tokens() const
+  {
+    Text_scanner copy(*this);
+    std::string_view token;
+    std::size_t n = 0;
+    while (copy.next_token(token))
+      ++n;
+    return n;
+  }
+
+  /// The number of this line, from 1.
+  std::size_t line() const { return m_line; }
+
+  /// Whether only blank lines follow this line.
+  bool is_last_line() const
+  {
+    Text_scanner copy(*this);
+    return !copy.next_line();
+  }
+
+private:
+  static bool is_blank(const char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+
+  void skip_blanks()
+  {
+    while (!m_line_rest.empty() && is_blank(m_line_rest.front()))
+      m_line_rest.remove_prefix(1);
+  }
+
+  void take_line()
+  {
+    ++m_line;
+    const std::size_t end = m_rest.find_first_of("\r\n");
+    m_line_rest = m_rest.substr(0, end);
+    if (end == std::string_view::npos)
+      m_rest = {};
+    else
+      m_rest.remove_prefix(end + (m_rest.substr(end, 2) == "\r\n" ? 2 : 1));
+    m_line_rest = m_line_rest.substr(0, m_line_rest.find('#'));
+  }
+
+  std::string_view m_rest, m_line_rest;
+  std::size_t m_line = 0;
+};
+
+/// A whole token as integer. \return `false` if it is not one or exceeds the range of the type.
+template <typename Integer>
+bool parse_integer(const std::string_view token, Integer& value)
+{
+  const std::string_view digits = token.substr(!token.empty() && token.front() == '+' ? 1 : 0);
+  const std::from_chars_result result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  return result.ec == std::errc() && result.ptr == digits.data() + digits.size();
+}
+
+/// A whole token as the nearest double. \return `SUCCESS`, or `SYNTAX_ERROR` if it is not a number, or
+/// `NON_FINITE_COORDINATE` if it is NaN, infinite or beyond the range of double. What underflows is rounded.
+inline Mesh_reading_status parse_coordinate(const std::string_view token, double& value)
+{
+  const std::string_view digits = token.substr(token.size() > 1 && token.front() == '+' && token[1] != '-' ? 1 : 0);
+  const std::from_chars_result result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (result.ptr != digits.data() + digits.size() || result.ec == std::errc::invalid_argument)
+    return Mesh_reading_status::SYNTAX_ERROR;
+  if (result.ec == std::errc::result_out_of_range)
+    value = std::strtod(std::string(digits).c_str(), nullptr);
+  return std::isfinite(value) ? Mesh_reading_status::SUCCESS : Mesh_reading_status::NON_FINITE_COORDINATE;
+}
+
+/// A report about this line of the text.
+inline Mesh_reading_report report_at(const Text_scanner& scanner, const Mesh_reading_status status,
+                                     const std::string_view text = {})
+{
+  constexpr std::size_t longest = 40;
+  Mesh_reading_report report;
+  report.status = status;
+  report.line = scanner.line();
+  for (const char c : text.substr(0, longest))
+    report.text += (c >= ' ' && c <= '~') ? c : '?';
+  if (text.size() > longest)
+    report.text += "...";
+  return report;
+}
+
+/// A report about this line that says what is wrong with it.
+inline Mesh_reading_report report_syntax(const Text_scanner& scanner, const char* detail, const std::string_view text = {})
+{
+  Mesh_reading_report report = report_at(scanner, Mesh_reading_status::SYNTAX_ERROR, text);
+  report.detail = detail;
+  return report;
+}
+
+/// A report about a line that lacks a token: the last line of a file was cut off, another one is wrong.
+inline Mesh_reading_report report_missing_token(const Text_scanner& scanner, const char* detail)
+{
+  return scanner.is_last_line() ? report_at(scanner, Mesh_reading_status::TRUNCATED) : report_syntax(scanner, detail);
+}
+
+/// Reads the coordinates `first` ... `last` from the tokens of this line.
+template <typename Iterator>
+Mesh_reading_report read_coordinates(Text_scanner& scanner, const Iterator first, const Iterator last)
+{
+  std::string_view token;
+  for (Iterator position = first; position != last; ++position) {
+    if (!scanner.next_token(token))
+      return report_missing_token(scanner, "a coordinate is missing");
+    const Mesh_reading_status status = parse_coordinate(token, *position);
+    if (status != Mesh_reading_status::SUCCESS)
+      return report_at(scanner, status, token);
+  }
+  return Mesh_reading_report();
+}
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_IO_INTERNAL_TEXT_SCANNER_H
