@@ -11,8 +11,11 @@
 #include <CGAL/T_splines/Progress_visitor.h>
 #include <CGAL/T_splines/Similarity_map/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/Similarity_map_report.h>
+#include <CGAL/T_splines/Solver/Cholmod_spd_solver_traits.h>
 #include <CGAL/T_splines/Solver/Eigen_spd_solver_traits.h>
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
+#include <CGAL/T_splines/Solver/default_solver.h>
+#include <CGAL/T_splines/Solver/preconditioned_conjugate_gradients.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #endif // CGAL_T_SPLINES_H

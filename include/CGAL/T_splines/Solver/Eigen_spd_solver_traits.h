@@ -4,26 +4,38 @@
 #ifndef CGAL_T_SPLINES_SOLVER_EIGEN_SPD_SOLVER_TRAITS_H
 #define CGAL_T_SPLINES_SOLVER_EIGEN_SPD_SOLVER_TRAITS_H
 
+#ifdef CGAL_EIGEN3_ENABLED
+
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
+#include <CGAL/T_splines/Solver/internal/is_finite.h>
+
+#include <CGAL/assertions.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
 namespace CGAL {
 namespace T_splines {
 
-/// solves sparse symmetric positive definite systems with a direct solver of Eigen.
+/// solves sparse symmetric positive definite systems with a solver of Eigen.
 ///
 /// Any solver of Eigen will do that offers `analyzePattern()`, `factorize()`, `solve()` and `info()` and reads the
 /// lower triangle, e.g. `Eigen::SimplicialLLT` or `Eigen::ConjugateGradient`; with Eigen's wrapper modules also
-/// Pardiso's and Accelerate's.
+/// Pardiso's and Accelerate's. Of an iterative solver, `factorize()` makes the preconditioner.
+///
+/// Copies share one solver, as those of `CGAL::Eigen_solver_traits` do.
 /// \cgalModels `SparseSpdSolverTraits`
-/// \tparam EigenSolver a sparse solver of Eigen whose matrix type is column-major.
+/// \tparam EigenSolver a sparse solver of Eigen whose `MatrixType` is a column-major `Eigen::SparseMatrix`.
 template <typename EigenSolver = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>
 class Eigen_spd_solver_traits {
+  using Matrix = typename EigenSolver::MatrixType;
+  static_assert(!Matrix::IsRowMajor, "the matrix of the solver has to be column-major");
+
 public:
   using FT = typename EigenSolver::Scalar;
 
@@ -31,42 +43,70 @@ public:
   /// \return `false` if the solver fails.
   bool analyze_pattern(const Symmetric_sparse_matrix<FT>& a)
   {
-    m_solver->analyzePattern(view(a));
-    return true;
+    m_state->matrix =
+        Eigen::Map<const Eigen::SparseMatrix<FT>>(a.size(), a.size(), static_cast<int>(a.number_of_entries()),
+                                                  a.column_begin.data(), a.row.data(), a.value.data());
+    m_state->solver.analyzePattern(m_state->matrix);
+    return m_state->solver.info() == Eigen::Success;
   }
 
   /// factorizes `a`. \pre `analyze_pattern()` has been called with a matrix of the same pattern.
-  /// \return `false` if `a` is not positive definite to working precision.
+  /// \return `false` if `a` is not finite, or not positive definite to working precision; an iterative solver notices the
+  /// latter in `solve()`, or not at all.
   bool factorize(const Symmetric_sparse_matrix<FT>& a)
   {
-    m_solver->factorize(view(a));
-    return m_solver->info() == Eigen::Success;
+    CGAL_precondition(m_state->matrix.rows() == a.size() &&
+                      static_cast<std::size_t>(m_state->matrix.nonZeros()) == a.number_of_entries());
+    if (!internal::is_finite(a.value)) // an infinite pivot would pass for a zero in the solution
+      return false;
+    std::copy(a.value.begin(), a.value.end(), m_state->matrix.valuePtr());
+    m_state->solver.factorize(m_state->matrix);
+    return m_state->solver.info() == Eigen::Success && has_positive_pivots(m_state->solver, 0);
   }
 
-  /// solves A x = b with the last factorization.
+  /// solves A x = b with the last factorization. \pre It succeeded.
+  /// \param b as many numbers as A has rows; not the vector `x`
+  /// \param x the solution; its value on entry is not used
+  /// \return `false` if an iterative solver does not converge, or if a number of `x` is not finite.
   bool solve(const std::vector<FT>& b, std::vector<FT>& x) const
   {
+    CGAL_precondition(b.size() == static_cast<std::size_t>(m_state->matrix.rows()) && &b != &x);
     x.resize(b.size());
     const Eigen::Map<const Vector> right_hand_side(b.data(), static_cast<Eigen::Index>(b.size()));
-    Eigen::Map<Vector>(x.data(), static_cast<Eigen::Index>(x.size())) = m_solver->solve(right_hand_side);
-    return m_solver->info() == Eigen::Success;
+    Eigen::Map<Vector>(x.data(), static_cast<Eigen::Index>(x.size())) = m_state->solver.solve(right_hand_side);
+    return m_state->solver.info() == Eigen::Success && internal::is_finite(x);
   }
+
+  /// returns the solver, for its own settings such as the tolerance of an iterative one.
+  EigenSolver& solver() { return m_state->solver; }
 
 private:
   using Vector = Eigen::Matrix<FT, Eigen::Dynamic, 1>;
-  using Matrix = Eigen::SparseMatrix<FT, Eigen::ColMajor, int>;
 
-  static Matrix view(const Symmetric_sparse_matrix<FT>& a)
+  // Eigen's iterative solvers point into the matrix that they were given last: both live together, at one address.
+  struct State {
+    Matrix matrix;
+    EigenSolver solver;
+  };
+
+  // LDL^T also exists for indefinite matrices; Eigen's solvers that compute it do not look at the signs in D.
+  template <typename Solver>
+  static auto has_positive_pivots(const Solver& solver, int) -> decltype(solver.vectorD(), bool())
   {
-    return Eigen::Map<const Matrix>(a.size(), a.size(), static_cast<int>(a.number_of_entries()),
-                                    a.column_begin.data(), a.row.data(), a.value.data());
+    return (solver.vectorD().array() > FT(0)).all();
+  }
+  template <typename Solver>
+  static bool has_positive_pivots(const Solver&, long)
+  {
+    return true;
   }
 
-  // Eigen's solvers cannot be copied or moved; traits can be moved.
-  std::unique_ptr<EigenSolver> m_solver = std::make_unique<EigenSolver>();
+  std::shared_ptr<State> m_state = std::make_shared<State>();
 };
 
 } // namespace T_splines
 } // namespace CGAL
+
+#endif // CGAL_EIGEN3_ENABLED
 
 #endif // CGAL_T_SPLINES_SOLVER_EIGEN_SPD_SOLVER_TRAITS_H
