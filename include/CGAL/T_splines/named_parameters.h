@@ -6,6 +6,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <type_traits>
+
 namespace CGAL {
 namespace T_splines {
 
@@ -41,6 +43,14 @@ namespace parameters {
 #undef CGAL_T_SPLINES_NAMED_PARAMETER
 
 } // namespace parameters
+
+namespace internal {
+
+/// Whether the type of `get_parameter(np, tag)` tells that the parameter was not given.
+template <typename Parameter>
+inline constexpr bool is_missing = std::is_same<std::remove_cv_t<std::remove_reference_t<Parameter>>, CGAL::internal_np::Param_not_found>::value;
+
+} // namespace internal
 } // namespace T_splines
 } // namespace CGAL
 

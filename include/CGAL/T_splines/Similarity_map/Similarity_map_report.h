@@ -48,6 +48,7 @@ inline const char* message(const Similarity_map_status status)
 template <typename TriangleMesh>
 struct Similarity_map_report {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
 
   /// `loop` when no loop is meant.
   static constexpr std::size_t no_loop = static_cast<std::size_t>(-1);
@@ -66,6 +67,7 @@ struct Similarity_map_report {
 
   vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< where the residual is largest, if at a vertex
   std::size_t loop = no_loop;           ///< where the residual is largest, or the loop that limits, if a loop
+  face_descriptor face = boost::graph_traits<TriangleMesh>::null_face(); ///< LAYOUT_FAILED: the input face that contains a triangle which is not positively oriented
   double period_ratio = 0;              ///< SIGNATURE_OUT_OF_REACH: largest found |scale period| / hyperbolic length of a loop
 
   bool success() const { return status == Similarity_map_status::CONVERGED; }

@@ -1,0 +1,267 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_NEWTON_ITERATION_H
+#define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_NEWTON_ITERATION_H
+
+#include <CGAL/T_splines/Similarity_map/Flip_policy.h>
+#include <CGAL/T_splines/Similarity_map/Similarity_map_report.h>
+#include <CGAL/T_splines/Similarity_map/internal/Newton_system.h>
+#include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
+#include <CGAL/T_splines/Similarity_map/internal/first_degeneracy.h>
+#include <CGAL/T_splines/Solver/preconditioned_conjugate_gradients.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// What bounds a Newton iteration.
+struct Newton_limits {
+  double tolerance = 1e-12;     ///< on the largest residual
+  int number_of_iterations = 100;
+};
+
+/// What a Newton iteration did.
+struct Newton_record {
+  Similarity_map_status status = Similarity_map_status::STALLED;
+  std::vector<double> residual_history;
+  int iterations = 0, halvings = 0, factorizations = 0, linear_iterations = 0;
+  std::size_t flips = 0;
+};
+
+/// Newton's iteration for the scale factors of a similarity structure.
+///
+/// The linear systems are solved in double by conjugate gradients, each only as accurately as its step deserves. They are
+/// preconditioned with the factorization of an earlier one: phi and c keep their meaning across flips, so that it
+/// stays a good approximation; it is renewed when conjugate gradients need many iterations.
+/// \tparam FT number type of the residual and the unknowns
+/// \tparam SolverTraits a model of `SparseSpdSolverTraits` with `FT` double
+template <typename FT, typename SolverTraits, typename Visitor>
+class Newton_iteration {
+  using Index = Triangulation_connectivity::Index;
+  using Structure = Similarity_structure<FT>;
+
+public:
+  /// \param coefficients phi per vertex and c per loop, in and out: those of `structure`
+  Newton_iteration(Structure& structure, Newton_system<FT>& system, std::vector<FT>& coefficients, SolverTraits& solver,
+                   const Visitor& visitor, const Newton_limits& limits)
+    : m_structure(structure), m_system(system), m_coefficients(coefficients), m_solver(solver), m_visitor(visitor), m_limits(limits)
+  {}
+
+  template <typename FlipPolicy>
+  Newton_record run(const FlipPolicy& policy)
+  {
+    m_record.status = iterate(policy);
+    return m_record;
+  }
+
+private:
+  template <typename FlipPolicy>
+  Similarity_map_status iterate(const FlipPolicy& policy)
+  {
+    if (!m_system.evaluate(m_structure))
+      return Similarity_map_status::STALLED;
+    Stall_detector stall;
+    while (true) {
+      const double residual = static_cast<double>(m_system.residual());
+      m_record.residual_history.push_back(residual);
+      m_visitor.progress(progress());
+      if (residual <= m_limits.tolerance)
+        return Similarity_map_status::CONVERGED;
+      if (stall.is_stalled(residual))
+        return Similarity_map_status::STALLED;
+      if (m_record.iterations >= m_limits.number_of_iterations)
+        return Similarity_map_status::ITERATION_LIMIT;
+      if (!m_visitor.go_on())
+        return Similarity_map_status::INTERRUPTED;
+      if (!solve())
+        return Similarity_map_status::SOLVER_FAILED;
+      const Similarity_map_status end = step(policy);
+      if (end != Similarity_map_status::CONVERGED)
+        return end;
+      ++m_record.iterations;
+    }
+  }
+
+  // Notices that the residual has come down to its floor: near the solution, quadratic convergence has ended.
+  class Stall_detector {
+  public:
+    bool is_stalled(const double residual)
+    {
+      if (residual < 0.9 * m_best) {
+        m_best = residual;
+        m_unsuccessful = 0;
+        return false;
+      }
+      return ++m_unsuccessful > (m_best < 1e-8 ? 3 : 60);
+    }
+
+  private:
+    double m_best = std::numeric_limits<double>::infinity();
+    int m_unsuccessful = 0;
+  };
+
+  double progress() const
+  {
+    const std::vector<double>& history = m_record.residual_history;
+    const double first = std::log(history.front()), goal = std::log(m_limits.tolerance);
+    const double best = std::log(*std::min_element(history.begin(), history.end()));
+    return first > goal ? std::min(1., std::max(0., (first - best) / (first - goal))) : 1.;
+  }
+
+  // The Newton direction, in m_direction.
+  bool solve()
+  {
+    m_system.set_hessian(m_structure);
+    const std::vector<double> right_hand_side = m_system.right_hand_side();
+    if (m_record.factorizations == 0 || m_last_inner_iterations > 20) {
+      if (!factorize())
+        return false;
+      if (m_record.factorizations == 1) { // exact: the factorization is of this very matrix
+        m_solution.clear();
+        ++m_record.linear_iterations;
+        if (!m_solver.solve(right_hand_side, m_solution))
+          return false;
+        m_direction = m_system.direction(m_solution);
+        return true;
+      }
+    }
+    double norm = 0;
+    for (const double b : right_hand_side)
+      norm += b * b;
+    norm = std::sqrt(norm);
+    // Forcing term: a relative error as small as the residual keeps the convergence quadratic.
+    const double tolerance = std::max(1e-10, std::min(0.1, 0.1 * norm));
+    m_last_inner_iterations =
+      preconditioned_conjugate_gradients(m_system, m_solver, right_hand_side, m_solution, tolerance, 500, m_workspace);
+    m_record.linear_iterations += m_last_inner_iterations;
+    m_direction = m_system.direction(m_solution);
+    return true;
+  }
+
+  bool factorize()
+  {
+    const Symmetric_sparse_matrix<double> matrix = m_system.matrix();
+    ++m_record.factorizations;
+    m_last_inner_iterations = 0;
+    return m_solver.analyze_pattern(matrix) && m_solver.factorize(matrix);
+  }
+
+  double slope() const
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < m_direction.size(); ++i)
+      sum += static_cast<double>(m_system.gradient()[i]) * m_direction[i];
+    return sum;
+  }
+
+  void set_trial(const double length)
+  {
+    for (std::size_t i = 0; i < m_coefficients.size(); ++i)
+      m_coefficients[i] = m_accepted_coefficients[i] + FT(length) * FT(m_direction[i]);
+    m_structure.set_form(m_coefficients);
+  }
+
+  // A damped Newton step on the convex energy: it is halved while the energy still falls backwards at its end, and, far from the solution, while it
+  // increases the gradient. Each trial starts from the triangulation of before the step.
+  Similarity_map_status step(const Ideal_delaunay_flips&)
+  {
+    m_accepted_coefficients = m_coefficients;
+    const Structure accepted = m_structure;
+    const double slope_before = slope(), norm_before = m_system.gradient_norm();
+    const double residual_before = static_cast<double>(m_system.residual());
+    const std::size_t most_flips = 1000 + 20 * static_cast<std::size_t>(m_structure.mesh.number_of_edges());
+    double length = std::min(1., 2 * m_step_length);
+    for (; length > 1e-12; length /= 2, ++m_record.halvings) {
+      set_trial(length);
+      const std::size_t flips =
+        flip_to_delaunay(m_structure, most_flips, [&](const Index h) { m_structure.flip_ptolemy(h); });
+      if (flips <= most_flips && m_system.evaluate(m_structure)) {
+        const double residual = static_cast<double>(m_system.residual());
+        const double slope_after = slope();
+        const bool overshoots = slope_after > 1e-3 * std::abs(slope_before) && !(residual <= residual_before / 2);
+        const bool grows = norm_before > 1 && m_system.gradient_norm() > norm_before;
+        if (residual <= m_limits.tolerance || (std::isfinite(residual) && !overshoots && !grows)) {
+          m_step_length = length;
+          m_record.flips += flips;
+          return Similarity_map_status::CONVERGED;
+        }
+      }
+      m_structure = accepted;
+      if (!m_visitor.go_on())
+        return Similarity_map_status::INTERRUPTED;
+    }
+    m_coefficients = m_accepted_coefficients;
+    m_system.evaluate(m_structure);
+    return Similarity_map_status::STALLED;
+  }
+
+  // [CZ17] section 7.3: a step to the first degeneracy, and flips there.
+  Similarity_map_status step(const Degeneracy_flips& policy)
+  {
+    m_accepted_coefficients = m_coefficients;
+    const std::vector<FT> form = m_structure.form;
+    set_trial(1.);
+    std::vector<double> change(form.size());
+    for (std::size_t e = 0; e < form.size(); ++e)
+      change[e] = static_cast<double>(FT(m_structure.form[e] - form[e]));
+    m_structure.form = form;
+    const First_degeneracy<FT> degeneracy(m_structure, change);
+    set_trial(degeneracy.time);
+    for (const Index h : degeneracy.triangles)
+      if (m_structure.mesh.face(h) != m_structure.mesh.face(h ^ 1) && !flipped_already(h)) {
+        m_structure.flip_euclidean(h);
+        ++m_record.flips;
+      }
+    m_flipped.clear();
+    if (policy.delaunay) {
+      const std::size_t most_flips = 1000 + 20 * static_cast<std::size_t>(m_structure.mesh.number_of_edges());
+      const std::size_t flips =
+        flip_to_delaunay(m_structure, most_flips, [&](const Index h) { m_structure.flip_euclidean(h); });
+      m_record.flips += flips;
+      if (flips > most_flips)
+        return Similarity_map_status::STALLED;
+    }
+    m_blocked_steps = degeneracy.time < 1e-12 ? m_blocked_steps + 1 : 0;
+    m_system.evaluate(m_structure);
+    return m_blocked_steps > 20 ? Similarity_map_status::STALLED : Similarity_map_status::CONVERGED;
+  }
+
+  // Two degenerate triangles may share their longest edge.
+  bool flipped_already(const Index h)
+  {
+    if (std::find(m_flipped.begin(), m_flipped.end(), h >> 1) != m_flipped.end())
+      return true;
+    m_flipped.push_back(h >> 1);
+    return false;
+  }
+
+  Structure& m_structure;
+  Newton_system<FT>& m_system;
+  std::vector<FT>& m_coefficients;
+  SolverTraits& m_solver;
+  const Visitor& m_visitor;
+  Newton_limits m_limits;
+  Newton_record m_record;
+
+  std::vector<double> m_solution;  // by rows
+  std::vector<double> m_direction; // by unknowns
+  std::vector<FT> m_accepted_coefficients;
+  double m_step_length = 1;
+  int m_last_inner_iterations = 0;
+  int m_blocked_steps = 0;
+  std::vector<Index> m_flipped;
+  Conjugate_gradients_workspace<double> m_workspace;
+};
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_NEWTON_ITERATION_H

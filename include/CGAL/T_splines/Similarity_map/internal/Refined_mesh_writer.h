@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_REFINED_MESH_WRITER_H
+#define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_REFINED_MESH_WRITER_H
+
+#include <CGAL/T_splines/Similarity_map/internal/Refined_triangulation.h>
+#include <CGAL/T_splines/internal/Mesh_indexing.h>
+
+#include <CGAL/Polygon_mesh_processing/locate.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// Makes a face graph of a refined triangulation and fills property maps on it. Linear time; no look-ups by vertices.
+/// \tparam RefinedMesh a model of `MutableFaceGraph`
+template <typename RefinedMesh>
+class Refined_mesh_writer {
+  using Traits = boost::graph_traits<RefinedMesh>;
+
+public:
+  using vertex_descriptor = typename Traits::vertex_descriptor;
+  using halfedge_descriptor = typename Traits::halfedge_descriptor;
+  using face_descriptor = typename Traits::face_descriptor;
+
+  /// \pre `mesh` is empty.
+  Refined_mesh_writer(const Refined_triangulation& refined, RefinedMesh& mesh) : m_refined(refined), m_mesh(mesh)
+  {
+    const Triangulation_connectivity& from = refined.mesh;
+    CGAL_precondition_msg(CGAL::is_empty(mesh), "the mesh to write must be empty: clear() would take its property maps away");
+    reserve(mesh, from.number_of_vertices(), from.number_of_edges(), from.number_of_faces());
+    for (int v = 0; v < from.number_of_vertices(); ++v)
+      m_vertices.push_back(add_vertex(mesh));
+    for (int e = 0; e < from.number_of_edges(); ++e) {
+      m_halfedges.push_back(halfedge(add_edge(mesh), mesh));
+      m_halfedges.push_back(opposite(m_halfedges.back(), mesh));
+    }
+    for (int f = 0; f < from.number_of_faces(); ++f) {
+      m_faces.push_back(add_face(mesh));
+      set_halfedge(m_faces.back(), m_halfedges[from.halfedge_of_face(f)], mesh);
+    }
+    for (int h = 0; h < from.number_of_halfedges(); ++h) {
+      set_next(m_halfedges[h], m_halfedges[from.next(h)], mesh);
+      set_face(m_halfedges[h], m_faces[from.face(h)], mesh);
+      set_target(m_halfedges[h], m_vertices[from.target(h)], mesh);
+      set_halfedge(m_vertices[from.target(h)], m_halfedges[h], mesh);
+    }
+  }
+
+  halfedge_descriptor halfedge_of(const int h) const { return m_halfedges[h]; }
+
+  /// writes the points: those of the input's vertices are copied from its own map.
+  template <typename TriangleMesh, typename InputPointMap, typename OutputPointMap>
+  void put_points(const Mesh_indexing<TriangleMesh>& indexing, const InputPointMap& from, OutputPointMap to) const
+  {
+    using Point_3 = typename boost::property_traits<OutputPointMap>::value_type;
+    for (std::size_t v = 0; v < m_vertices.size(); ++v) {
+      if (static_cast<int>(v) < indexing.number_of_vertices())
+        put(to, m_vertices[v], copy<Point_3>(get(from, indexing.vertex(static_cast<int>(v)))));
+      else
+        put(to, m_vertices[v], Point_3(m_refined.point[v][0], m_refined.point[v][1], m_refined.point[v][2]));
+    }
+  }
+
+  template <typename HalfedgeUVMap>
+  void put_uv(HalfedgeUVMap map) const
+  {
+    using Point_2 = typename boost::property_traits<HalfedgeUVMap>::value_type;
+    for (std::size_t h = 0; h < m_halfedges.size(); ++h)
+      put(map, m_halfedges[h], Point_2(m_refined.uv[h][0], m_refined.uv[h][1]));
+  }
+
+  /// writes each vertex's place on the input as a face and barycentric coordinates (`Face_location` of Polygon Mesh Processing).
+  template <typename TriangleMesh, typename VertexLocationMap>
+  void put_locations(const Mesh_indexing<TriangleMesh>& indexing, const Triangulation_connectivity& input, VertexLocationMap map) const
+  {
+    using Location = typename boost::property_traits<VertexLocationMap>::value_type;
+    const std::vector<int> outgoing = input.outgoing_halfedges();
+    for (std::size_t v = 0; v < m_vertices.size(); ++v) {
+      const Input_place& place = m_refined.place[v];
+      int f = 0;
+      std::array<double, 3> weight{}; // of the source, the target, and the target of the successor of the halfedge of the face
+      const auto corner = [&](const int h) { // index of the target of h
+        const int first = input.halfedge_of_face(f);
+        return h == first ? 1 : h == input.next(first) ? 2 : 0;
+      };
+      switch (place.kind) {
+      case Input_place::Kind::VERTEX:
+        f = input.face(outgoing[place.index]);
+        weight[corner(input.previous(outgoing[place.index]))] = 1;
+        break;
+      case Input_place::Kind::EDGE:
+        f = input.face(2 * place.index);
+        weight[corner(input.previous(2 * place.index))] = place.weight[0];
+        weight[corner(2 * place.index)] = place.weight[1];
+        break;
+      case Input_place::Kind::FACE:
+        f = place.index;
+        weight = {{place.weight[2], place.weight[0], place.weight[1]}};
+        break;
+      }
+      Location location;
+      location.first = indexing.face(f);
+      location.second = {{weight[0], weight[1], weight[2]}};
+      put(map, m_vertices[v], location);
+    }
+  }
+
+  /// writes whether each edge is cut. \param is_cut by index
+  template <typename EdgeIsCutMap>
+  void put_cut(const std::vector<char>& is_cut, EdgeIsCutMap map) const
+  {
+    for (std::size_t e = 0; e < is_cut.size(); ++e)
+      put(map, edge(m_halfedges[2 * e], m_mesh), is_cut[e] != 0);
+  }
+
+private:
+  template <typename To, typename From>
+  static To copy(const From& p)
+  {
+    if constexpr (std::is_convertible<From, To>::value)
+      return p;
+    else
+      return To(p.x(), p.y(), p.z());
+  }
+
+  const Refined_triangulation& m_refined;
+  RefinedMesh& m_mesh;
+  std::vector<vertex_descriptor> m_vertices;
+  std::vector<halfedge_descriptor> m_halfedges;
+  std::vector<face_descriptor> m_faces;
+};
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_REFINED_MESH_WRITER_H

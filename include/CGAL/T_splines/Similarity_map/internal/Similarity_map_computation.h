@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_SIMILARITY_MAP_COMPUTATION_H
+#define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_SIMILARITY_MAP_COMPUTATION_H
+
+#include <CGAL/T_splines/Similarity_map/Similarity_2.h>
+#include <CGAL/T_splines/Similarity_map/internal/Common_subdivision.h>
+#include <CGAL/T_splines/Similarity_map/internal/Cut_transitions.h>
+#include <CGAL/T_splines/Similarity_map/internal/Edge_crossings.h>
+#include <CGAL/T_splines/Similarity_map/internal/Flat_layout.h>
+#include <CGAL/T_splines/Similarity_map/internal/Metric_computation.h>
+#include <CGAL/T_splines/Similarity_map/internal/Refined_triangulation.h>
+#include <CGAL/T_splines/Similarity_map/internal/Sliver_removal.h>
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// The number type in which a metric computed in `FT` is laid out: its own, but at least `long double`.
+template <typename FT>
+using Layout_number_type = std::conditional_t<(std::numeric_limits<FT>::digits < std::numeric_limits<long double>::digits), long double, FT>;
+
+/// From a converged metric to the refined triangulation with its map.
+/// \tparam Metric a `Metric_computation` that tracked its edges
+template <typename Metric>
+class Similarity_map_computation {
+  using FT = Layout_number_type<typename Metric::FT>;
+
+public:
+  static constexpr int none = -1;
+
+  template <typename Visitor>
+  Similarity_map_computation(const Metric_input& input, const Metric& metric, const Visitor& visitor)
+    : m_layout(metric.structure, metric.coefficients, input.quarter_turns),
+      m_transitions(metric.structure.mesh, metric.structure.loops, m_layout, input.quarter_turns, loop_coefficients(metric))
+  {
+    using std::sqrt;
+    const Triangulation_connectivity& last = metric.structure.mesh;
+    visitor.progress(0.3);
+    std::vector<FT> length;
+    for (int e = 0; e < input.mesh.number_of_edges(); ++e)
+      length.push_back(sqrt(input.template squared_length<FT>(e)));
+    const Input_crossings<FT> on_input(input.mesh, metric.middle, metric.input_on_middle, length);
+    const Final_crossings<FT> on_final(metric.middle, last, metric.structure.delaunay_edges, convert(metric.log_penner()));
+    visitor.begin_stage("subdivision");
+    Common_subdivision<FT> subdivision(input.mesh, input.point, metric.middle, last, on_input, on_final, convert(metric.structure.form), m_layout);
+    m_refined = std::move(subdivision.result());
+    m_cut.resize(m_refined.mesh.number_of_edges());
+    for (int e = 0; e < m_refined.mesh.number_of_edges(); ++e)
+      m_cut[e] = m_refined.final_halfedge[2 * e] != none && m_layout.is_cut(m_refined.final_halfedge[2 * e] >> 1);
+    visitor.progress(0.8);
+    m_first_bad_input_face = Sliver_removal(input.mesh, input.point, m_refined, m_cut).first_bad_input_face();
+    visitor.progress(1.);
+  }
+
+  const Refined_triangulation& refined() const { return m_refined; }
+
+  /// Per edge of the refined triangulation.
+  const std::vector<char>& cut_edges() const { return m_cut; }
+
+  /// An input face that contains a triangle whose area is not positive on the surface or in the plane, or `none`.
+  int first_bad_input_face() const { return m_first_bad_input_face; }
+
+  /// The transition across the halfedge `h` of the refined triangulation.
+  Similarity_2<double> transition(const int h) const
+  {
+    if (!m_cut[h >> 1])
+      return Similarity_2<double>();
+    const Similarity_2<FT> wide = m_transitions.transition(m_refined.final_halfedge[h]);
+    return Similarity_2<double>(wide.quarter_turns(), static_cast<double>(wide.scale()), static_cast<double>(wide.u()), static_cast<double>(wide.v()));
+  }
+
+private:
+  template <typename From>
+  static std::vector<FT> convert(const std::vector<From>& from)
+  {
+    std::vector<FT> to;
+    to.reserve(from.size());
+    for (const From& x : from)
+      to.push_back(static_cast<FT>(x));
+    return to;
+  }
+
+  static std::vector<FT> loop_coefficients(const Metric& metric)
+  {
+    const auto first = metric.coefficients.begin() + metric.structure.mesh.number_of_vertices();
+    return convert(std::vector<typename Metric::FT>(first, metric.coefficients.end()));
+  }
+
+  Flat_layout<FT> m_layout;
+  Cut_transitions<FT> m_transitions;
+  Refined_triangulation m_refined;
+  std::vector<char> m_cut;
+  int m_first_bad_input_face = none;
+};
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_SIMILARITY_MAP_COMPUTATION_H

@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_SIMILARITY_STRUCTURE_H
+#define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_SIMILARITY_STRUCTURE_H
+
+#include <CGAL/T_splines/Similarity_map/internal/Dual_loops.h>
+#include <CGAL/T_splines/Similarity_map/internal/Normal_coordinates.h>
+#include <CGAL/T_splines/Similarity_map/internal/Triangle_angles.h>
+#include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// A piecewise flat metric up to similarity on an intrinsic triangulation: log-lengths and a closed 1-form that scales them.
+///
+/// On a simply connected piece, where the form xi is d phi, the edge i-j has the length exp(lambda_ij + (phi_i + phi_j) / 2).
+/// A triangle needs xi alone: its sides i, j, k are exp(lambda_i + (xi_k - xi_j) / 6), and cyclically, up to a common factor.
+/// xi = d phi + sum_j c_j eta_j, where eta_j counts the passages of loop j over an edge with sign: the coefficients phi, c
+/// keep their meaning when edges are flipped.
+/// \tparam FT a floating-point type.
+template <typename FT_>
+struct Similarity_structure {
+  using FT = FT_;
+  using Index = Triangulation_connectivity::Index;
+
+  Triangulation_connectivity mesh;
+  std::vector<FT> log_length;         ///< lambda per edge
+  std::vector<FT> form;               ///< xi of the halfedge 2e, per edge e
+  Dual_loops loops;
+  Normal_coordinates delaunay_edges;  ///< of the triangulation that the iteration starts from; empty if not wanted
+  std::vector<FT> log_penner;         ///< Penner's coordinates of the starting metric; empty: `log_length` has them
+
+  FT form_of(const Index h) const { return (h & 1) ? FT(-form[h >> 1]) : form[h >> 1]; }
+
+  /// Log-lengths of `h`, `next(h)`, `previous(h)` up to a common summand.
+  std::array<FT, 3> triangle_log_lengths(const Index h) const
+  {
+    const Index j = mesh.next(h), k = mesh.next(j);
+    const FT xi_h = form_of(h), xi_j = form_of(j), xi_k = form_of(k);
+    return {FT(log_length[h >> 1] + (xi_k - xi_j) / 6), FT(log_length[j >> 1] + (xi_h - xi_k) / 6),
+            FT(log_length[k >> 1] + (xi_j - xi_h) / 6)};
+  }
+
+  /// sets xi = d phi + sum_j c_j eta_j. The coefficients are phi at the vertices, then c.
+  void set_form(const std::vector<FT>& coefficients)
+  {
+    const Index number_of_vertices = mesh.number_of_vertices();
+    for (Index e = 0; e < mesh.number_of_edges(); ++e) {
+      form[e] = coefficients[mesh.target(2 * e)] - coefficients[mesh.target(2 * e + 1)];
+      loops.for_each_passage(e, [&](const int loop, const int sign) {
+        if (sign > 0)
+          form[e] += coefficients[number_of_vertices + loop];
+        else
+          form[e] -= coefficients[number_of_vertices + loop];
+      });
+    }
+  }
+
+  /// Whether the edge is Delaunay in the scaled metric: the cosines of the two angles opposite to it have a sum of at least 0, up to a few ulp.
+  /// It needs no triangle inequality. Of an edge between a triangle and itself, it says yes.
+  bool is_delaunay(const Index e) const
+  {
+    using std::exp;
+    if (mesh.face(2 * e) == mesh.face(2 * e + 1))
+      return true;
+    FT sum(0), magnitude(0);
+    for (const Index h : {2 * e, 2 * e + 1}) {
+      const std::array<FT, 3> l = triangle_log_lengths(h);
+      const FT ratio = exp(FT(l[1] - l[2])), inverse = 1 / ratio, square = exp(FT(2 * l[0] - l[1] - l[2]));
+      sum += (ratio + inverse) - square; // twice the cosine
+      magnitude += ratio + inverse + square;
+    }
+    return sum >= -32 * std::numeric_limits<FT>::epsilon() * magnitude;
+  }
+
+  /// flips the edge of `h` with Ptolemy's formula on the unscaled lengths.
+  void flip_ptolemy(const Index h)
+  {
+    log_length[h >> 1] = ptolemy(log_length, h);
+    flip_topology(h);
+  }
+
+  /// flips the edge of `h` in the scaled metric: the new edge is straight in the two triangles laid out in the plane.
+  void flip_euclidean(const Index h)
+  {
+    using std::exp;
+    using std::log;
+    using std::sin;
+    const Index g = Triangulation_connectivity::opposite(h);
+    const Index h1 = mesh.next(h), h2 = mesh.next(h1), g1 = mesh.next(g);
+    const std::array<FT, 3> above = triangle_log_lengths(h), below = triangle_log_lengths(g);
+    const FT at_source = Triangle_angles<FT>(above).angle[1] + Triangle_angles<FT>(below).angle[2];
+    // Both sides at the source, in the units of the triangle of h; the larger is factored out.
+    const FT log_p = above[2], log_q = below[1] + (above[0] - below[0]);
+    const FT log_unit = log_p > log_q ? log_p : log_q;
+    const FT p = exp(FT(log_p - log_unit)), q = exp(FT(log_q - log_unit)), half_sine = sin(FT(at_source / 2));
+    const FT square = (p - q) * (p - q) + 4 * p * q * half_sine * half_sine;
+    const FT scaled = log_unit + log(square) / 2;
+    // phi is zero at the source of h here.
+    const FT phi_above = -form_of(h2), phi_below = form_of(g1), mean = (form_of(h) + phi_above) / 3;
+    if (!log_penner.empty())
+      log_penner[h >> 1] = ptolemy(log_penner, h);
+    log_length[h >> 1] = scaled + mean - (phi_above + phi_below) / 2;
+    flip_topology(h);
+  }
+
+private:
+  FT ptolemy(const std::vector<FT>& lambda, const Index h) const
+  {
+    using std::exp;
+    using std::log1p;
+    const Index g = Triangulation_connectivity::opposite(h);
+    const FT u = lambda[mesh.next(h) >> 1] + lambda[mesh.next(g) >> 1];
+    const FT v = lambda[mesh.previous(h) >> 1] + lambda[mesh.previous(g) >> 1];
+    return u > v ? FT(u + log1p(exp(FT(v - u))) - lambda[h >> 1]) : FT(v + log1p(exp(FT(u - v))) - lambda[h >> 1]);
+  }
+
+  void flip_topology(const Index h)
+  {
+    const Index g = Triangulation_connectivity::opposite(h);
+    const FT xi = -(form_of(mesh.next(g)) + form_of(mesh.previous(h)));
+    form[h >> 1] = (h & 1) ? FT(-xi) : xi;
+    if (delaunay_edges.is_empty())
+      loops.flip(mesh, h);
+    else {
+      Normal_coordinates::Flip update(delaunay_edges, mesh, h);
+      loops.flip(mesh, h);
+      update.finish(mesh);
+    }
+  }
+};
+
+/// flips edges that are not Delaunay until there is none or `maximum` flips have been made.
+/// \param flip called with a halfedge.
+/// \return the number of flips, or `maximum + 1` if that is not enough.
+template <typename FT, typename Flip>
+std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::size_t maximum, Flip&& flip)
+{
+  using Index = typename Similarity_structure<FT>::Index;
+  const Triangulation_connectivity& mesh = structure.mesh;
+  std::vector<Index> stack;
+  std::vector<char> is_on_stack(mesh.number_of_edges(), 0);
+  for (Index e = mesh.number_of_edges() - 1; e >= 0; --e)
+    if (!structure.is_delaunay(e)) {
+      stack.push_back(e);
+      is_on_stack[e] = 1;
+    }
+  std::size_t flips = 0;
+  while (!stack.empty()) {
+    const Index e = stack.back();
+    stack.pop_back();
+    is_on_stack[e] = 0;
+    if (structure.is_delaunay(e))
+      continue;
+    if (flips == maximum)
+      return maximum + 1;
+    const Index h = 2 * e, g = h + 1;
+    const std::array<Index, 4> sides = {mesh.next(h), mesh.previous(h), mesh.next(g), mesh.previous(g)};
+    flip(h);
+    ++flips;
+    for (const Index side : sides)
+      if (!is_on_stack[side >> 1]) {
+        is_on_stack[side >> 1] = 1;
+        stack.push_back(side >> 1);
+      }
+  }
+  return flips;
+}
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_SIMILARITY_STRUCTURE_H

@@ -1,0 +1,317 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_SLIVER_REMOVAL_H
+#define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_SLIVER_REMOVAL_H
+
+#include <CGAL/T_splines/Similarity_map/internal/Refined_triangulation.h>
+#include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// Makes every triangle of a refined triangulation positively oriented on the surface and in the plane, decided exactly.
+///
+/// Cells of the common subdivision can be thinner than coordinates in double can tell. Where rounding has turned a triangle over, the
+/// refinement is made coarser: edges that lie on no input edge and not on the cut are flipped, and added vertices are moved
+/// along an edge into a neighbor, along the input edge or the cut on which they lie. An operation is done if all triangles that it changes are positive afterwards.
+class Sliver_removal {
+  using Index = Triangulation_connectivity::Index;
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  static constexpr int none = -1;
+
+public:
+  /// \param input_mesh, input_point the input triangulation
+  /// \param is_cut per edge of `refined`
+  Sliver_removal(const Triangulation_connectivity& input_mesh, const std::vector<std::array<double, 3>>& input_point, Refined_triangulation& refined,
+                 std::vector<char>& is_cut)
+    : m_input(input_mesh), m_input_point(input_point), m_refined(refined), m_mesh(refined.mesh), m_is_cut(is_cut)
+  {
+    choose_projections();
+    std::vector<Index> bad;
+    for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
+      if (!is_positive(f))
+        bad.push_back(f);
+    if (bad.empty())
+      return;
+    m_is_removed.assign(m_mesh.number_of_faces(), 0);
+    m_outgoing = m_mesh.outgoing_halfedges();
+    while (true) {
+      const std::size_t before = bad.size();
+      for (const Index f : bad)
+        if (!m_is_removed[f] && !is_positive(f))
+          repair(f);
+      bad.erase(std::remove_if(bad.begin(), bad.end(), [this](const Index f) { return m_is_removed[f] || is_positive(f); }), bad.end());
+      if (bad.empty() || bad.size() == before)
+        break;
+    }
+    if (!bad.empty())
+      m_first_bad_input_face = m_refined.input_face[bad.front()];
+    compress();
+  }
+
+  /// The input face of a triangle that could not be repaired, or -1.
+  int first_bad_input_face() const { return m_first_bad_input_face; }
+
+private:
+  // On each input face, the coordinate plane in which it is seen at the largest, and from which side.
+  struct Projection {
+    char first, second; // coordinates that orient the input face counter-clockwise
+  };
+
+  void choose_projections()
+  {
+    m_projection.resize(m_input.number_of_faces());
+    for (Index f = 0; f < m_input.number_of_faces(); ++f) {
+      const Index h = m_input.halfedge_of_face(f);
+      const std::array<double, 3>&p = m_input_point[m_input.source(h)], &q = m_input_point[m_input.target(h)], &r = m_input_point[m_input.target(m_input.next(h))];
+      std::array<double, 3> normal;
+      for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        normal[k] = std::abs((q[i] - p[i]) * (r[j] - p[j]) - (q[j] - p[j]) * (r[i] - p[i]));
+      }
+      const int k = static_cast<int>(std::max_element(normal.begin(), normal.end()) - normal.begin());
+      Projection projection{static_cast<char>((k + 1) % 3), static_cast<char>((k + 2) % 3)};
+      if (orientation(projected(p, projection), projected(q, projection), projected(r, projection)) == CGAL::RIGHT_TURN)
+        std::swap(projection.first, projection.second);
+      m_projection[f] = projection;
+    }
+  }
+
+  static std::array<double, 2> projected(const std::array<double, 3>& p, const Projection& projection)
+  {
+    return {{p[projection.first], p[projection.second]}};
+  }
+
+  static CGAL::Orientation orientation(const std::array<double, 2>& p, const std::array<double, 2>& q, const std::array<double, 2>& r)
+  {
+    return CGAL::orientation(Kernel::Point_2(p[0], p[1]), Kernel::Point_2(q[0], q[1]), Kernel::Point_2(r[0], r[1]));
+  }
+
+  struct Corner {
+    Index vertex;
+    std::array<double, 2> uv;
+  };
+
+  bool is_positive(const Corner& p, const Corner& q, const Corner& r, const Index input_face) const
+  {
+    const Projection& projection = m_projection[input_face];
+    const auto point = [&](const Corner& c) { return projected(m_refined.point[c.vertex], projection); };
+    return orientation(p.uv, q.uv, r.uv) == CGAL::LEFT_TURN && orientation(point(p), point(q), point(r)) == CGAL::LEFT_TURN;
+  }
+
+  Corner corner(const Index h) const { return {m_mesh.target(h), m_refined.uv[h]}; }
+
+  bool is_positive(const Index f) const
+  {
+    const Index h = m_mesh.halfedge_of_face(f);
+    return is_positive(corner(h), corner(m_mesh.next(h)), corner(m_mesh.previous(h)), m_refined.input_face[f]);
+  }
+
+  void repair(const Index f)
+  {
+    const std::array<Index, 3> sides = {m_mesh.halfedge_of_face(f), m_mesh.next(m_mesh.halfedge_of_face(f)), m_mesh.previous(m_mesh.halfedge_of_face(f))};
+    for (const Index h : sides)
+      if (can_flip(h)) {
+        flip(h);
+        return;
+      }
+    for (const Index side : sides) {
+      const Index start = m_mesh.next(side); // leaves the target of side
+      Index h = start;
+      do {
+        if (can_collapse(h)) {
+          collapse(h);
+          return;
+        }
+        h = m_mesh.next_around_source(h);
+      } while (h != start);
+    }
+  }
+
+  bool are_adjacent(const Index v, const Index w) const
+  {
+    const Index start = m_outgoing[v];
+    Index h = start;
+    do {
+      if (m_mesh.target(h) == w)
+        return true;
+      h = m_mesh.next_around_source(h);
+    } while (h != start);
+    return false;
+  }
+
+  bool can_flip(const Index h) const
+  {
+    const Index g = Triangulation_connectivity::opposite(h);
+    if (m_is_cut[h >> 1] || m_refined.input_halfedge[h] != none)
+      return false;
+    const Corner i = corner(g), j = corner(h), k = corner(m_mesh.next(h)), l = corner(m_mesh.next(g));
+    const Index input_face = m_refined.input_face[m_mesh.face(h)];
+    return k.vertex != l.vertex && is_positive(l, k, i, input_face) && is_positive(k, l, j, input_face) && !are_adjacent(k.vertex, l.vertex);
+  }
+
+  void flip(const Index h)
+  {
+    const Index g = Triangulation_connectivity::opposite(h);
+    m_refined.uv[h] = m_refined.uv[m_mesh.next(h)];
+    m_refined.uv[g] = m_refined.uv[m_mesh.next(g)];
+    m_refined.final_halfedge[h] = m_refined.final_halfedge[g] = none;
+    for (const Index k : {h, g})
+      m_outgoing[m_mesh.source(k)] = m_mesh.next(Triangulation_connectivity::opposite(k));
+    m_mesh.flip(h);
+  }
+
+  // Whether the source of h, an added vertex, may be moved into the target.
+  bool can_collapse(const Index h) const
+  {
+    const Index u = m_mesh.source(h), w = m_mesh.target(h), g = Triangulation_connectivity::opposite(h);
+    if (m_refined.place[u].kind == Input_place::Kind::VERTEX)
+      return false;
+    if (m_refined.place[u].kind == Input_place::Kind::EDGE && m_refined.input_halfedge[h] == none)
+      return false;
+    int cut_edges = 0, common_neighbors = 0;
+    Index k = h;
+    do {
+      cut_edges += m_is_cut[k >> 1] ? 1 : 0;
+      if (k != h && m_mesh.target(k) == w)
+        return false;
+      if (k != h && are_adjacent(m_mesh.target(k), w))
+        ++common_neighbors;
+      k = m_mesh.next_around_source(k);
+    } while (k != h);
+    if (common_neighbors != 2 || (cut_edges != 0 && (cut_edges != 2 || !m_is_cut[h >> 1])))
+      return false;
+    bool is_right_of_cut = false; // once the second cut edge at u is passed
+    for (k = m_mesh.next_around_source(h); k != h; k = m_mesh.next_around_source(k)) {
+      is_right_of_cut = is_right_of_cut || m_is_cut[k >> 1];
+      const Index f = m_mesh.face(k);
+      if (f == m_mesh.face(g))
+        continue;
+      if (!is_positive({w, uv_at_target(h, is_right_of_cut)}, corner(k), corner(m_mesh.next(k)), m_refined.input_face[f]))
+        return false;
+    }
+    return true;
+  }
+
+  // uv of the target of h in the chart on its left, or on its right.
+  const std::array<double, 2>& uv_at_target(const Index h, const bool on_the_right) const
+  {
+    return on_the_right ? m_refined.uv[m_mesh.previous(Triangulation_connectivity::opposite(h))] : m_refined.uv[h];
+  }
+
+  void collapse(const Index h)
+  {
+    const Index g = Triangulation_connectivity::opposite(h), u = m_mesh.source(h), w = m_mesh.target(h);
+    const std::array<double, 2> uv_left = uv_at_target(h, false), uv_right = uv_at_target(h, true);
+    bool is_right_of_cut = false;
+    for (Index k = m_mesh.next_around_source(h); k != h; k = m_mesh.next_around_source(k)) {
+      is_right_of_cut = is_right_of_cut || m_is_cut[k >> 1];
+      m_refined.uv[m_mesh.previous(k)] = is_right_of_cut ? uv_right : uv_left; // the halfedge to u in the face of k
+    }
+    // Each of the two triangles of the edge vanishes; its two other edges become one.
+    const Index from_w = m_mesh.next(h), from_u = Triangulation_connectivity::opposite(m_mesh.previous(h)); // both to the left apex
+    const Index to_w = m_mesh.previous(g), to_u = Triangulation_connectivity::opposite(m_mesh.next(g));     // both from the right apex
+    std::vector<Index> incoming;
+    for (Index k = m_mesh.next_around_source(h); k != h; k = m_mesh.next_around_source(k))
+      incoming.push_back(Triangulation_connectivity::opposite(k));
+    for (const Index k : incoming)
+      m_mesh.m_target[k] = w;
+    m_is_removed[m_mesh.face(h)] = m_is_removed[m_mesh.face(g)] = 1;
+    replace(from_u, from_w);
+    replace(to_u, to_w);
+    m_outgoing[w] = from_w;
+    m_outgoing[m_mesh.target(from_w)] = Triangulation_connectivity::opposite(from_w);
+    m_outgoing[m_mesh.source(to_w)] = to_w;
+    m_outgoing[u] = none;
+  }
+
+  // Puts the halfedge `by` of a vanishing triangle in the place of `h`, whose edge vanishes.
+  void replace(const Index h, const Index by)
+  {
+    const Index f = m_mesh.face(h), previous = m_mesh.previous(h);
+    m_mesh.m_next[previous] = by;
+    m_mesh.m_next[by] = m_mesh.next(h);
+    m_mesh.m_face[by] = f;
+    m_mesh.m_face_halfedge[f] = by;
+    m_refined.uv[by] = m_refined.uv[h];
+    const Index h_opposite = Triangulation_connectivity::opposite(h), by_opposite = Triangulation_connectivity::opposite(by);
+    for (std::vector<int>* on_curve : {&m_refined.input_halfedge, &m_refined.final_halfedge})
+      if ((*on_curve)[by] == none) {
+        (*on_curve)[by] = (*on_curve)[h];
+        (*on_curve)[by_opposite] = (*on_curve)[h_opposite];
+      }
+    m_is_cut[by >> 1] = m_is_cut[by >> 1] || m_is_cut[h >> 1];
+    m_mesh.m_face[h] = none;
+  }
+
+  // Renumbers what is left.
+  void compress()
+  {
+    std::vector<Index> new_vertex(m_mesh.number_of_vertices(), none), new_halfedge(m_mesh.number_of_halfedges(), none), new_face(m_mesh.number_of_faces(), none);
+    Refined_triangulation result;
+    std::vector<char> is_cut;
+    for (Index f = 0; f < m_mesh.number_of_faces(); ++f) {
+      if (m_is_removed[f])
+        continue;
+      new_face[f] = result.mesh.number_of_faces();
+      result.mesh.m_face_halfedge.push_back(m_mesh.halfedge_of_face(f));
+      result.input_face.push_back(m_refined.input_face[f]);
+      Index h = m_mesh.halfedge_of_face(f);
+      for (int i = 0; i < 3; ++i, h = m_mesh.next(h))
+        new_vertex[m_mesh.target(h)] = new_halfedge[h] = new_halfedge[h ^ 1] = 0; // in use
+    }
+    for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
+      if (new_vertex[v] != none) {
+        new_vertex[v] = static_cast<Index>(result.point.size());
+        result.point.push_back(m_refined.point[v]);
+        result.place.push_back(m_refined.place[v]);
+      }
+    result.mesh.m_number_of_vertices = static_cast<Index>(result.point.size());
+    Index count = 0;
+    for (Index h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      if (new_halfedge[h] != none)
+        new_halfedge[h] = count++;
+    for (Index h = 0; h < m_mesh.number_of_halfedges(); ++h) {
+      if (new_halfedge[h] == none)
+        continue;
+      result.mesh.m_next.push_back(new_halfedge[m_mesh.next(h)]);
+      result.mesh.m_target.push_back(new_vertex[m_mesh.target(h)]);
+      result.mesh.m_face.push_back(new_face[m_mesh.face(h)]);
+      result.uv.push_back(m_refined.uv[h]);
+      result.input_halfedge.push_back(m_refined.input_halfedge[h]);
+      result.final_halfedge.push_back(m_refined.final_halfedge[h]);
+      if (h % 2 == 0)
+        is_cut.push_back(m_is_cut[h >> 1]);
+    }
+    for (Index& h : result.mesh.m_face_halfedge)
+      h = new_halfedge[h];
+    m_refined = std::move(result);
+    m_is_cut = std::move(is_cut);
+  }
+
+  const Triangulation_connectivity& m_input;
+  const std::vector<std::array<double, 3>>& m_input_point;
+  Refined_triangulation& m_refined;
+  Triangulation_connectivity& m_mesh;
+  std::vector<char>& m_is_cut;
+  std::vector<Projection> m_projection; // per input face
+  std::vector<char> m_is_removed;       // per face
+  std::vector<Index> m_outgoing;        // per vertex
+  int m_first_bad_input_face = none;
+};
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_SLIVER_REMOVAL_H

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_CONVERGED_METRIC_H
+#define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_CONVERGED_METRIC_H
+
+#include <CGAL/T_splines/Cross_field/check_holonomy_signature.h>
+#include <CGAL/T_splines/Progress_visitor.h>
+#include <CGAL/T_splines/Similarity_map/Similarity_map_report.h>
+#include <CGAL/T_splines/Similarity_map/internal/Metric_computation.h>
+#include <CGAL/T_splines/Solver/default_solver.h>
+#include <CGAL/T_splines/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include <limits>
+#include <type_traits>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// The number type to go on with where `FT` has reached its floor; `void` if there is none.
+template <typename FT>
+struct Wider_number_type {
+  using type = void;
+};
+template <>
+struct Wider_number_type<double> {
+  using type = std::conditional_t<(std::numeric_limits<long double>::digits > std::numeric_limits<double>::digits), long double,
+                                  boost::multiprecision::cpp_bin_float_quad>;
+};
+template <>
+struct Wider_number_type<long double> {
+  using type = boost::multiprecision::cpp_bin_float_quad;
+};
+
+/// iterates, in wider number types if the residual of `computation` comes to a floor above the tolerance, and calls
+/// `consume(computation)` with the converged one.
+template <typename FT, typename TriangleMesh, typename FlipPolicy, typename SolverTraits, typename Visitor, typename Consume>
+void iterate_to_convergence(Metric_computation<FT>& computation, const Metric_input& input, const Mesh_indexing<TriangleMesh>& indexing,
+                            const FlipPolicy& policy, SolverTraits& solver, const Visitor& visitor, const Newton_limits& limits,
+                            Similarity_map_report<TriangleMesh>& report, Consume&& consume)
+{
+  // Above this residual, what stalls the iteration is not round-off.
+  constexpr double round_off = 1e-6;
+  Newton_system<FT> system(input.component_of_vertex, input.quarter_turns);
+  computation.iterate(system, policy, solver, visitor, limits);
+  fill_report(computation, system, indexing, report);
+  if (report.success()) {
+    consume(computation);
+    return;
+  }
+  using Wider = typename Wider_number_type<FT>::type;
+  if constexpr (!std::is_void<Wider>::value) {
+    if (report.status == Similarity_map_status::STALLED && report.residual < round_off) {
+      Metric_computation<Wider> wide(computation);
+      iterate_to_convergence(wide, input, indexing, policy, solver, visitor, limits, report, consume);
+    }
+  }
+}
+
+/// computes the similarity metric of a mesh with a signature and calls `consume(input, computation)` if it converges.
+///
+/// It is what the public functions share: the checks, the named parameters and the number types.
+template <typename TriangleMesh, typename NamedParameters, typename Consume>
+Similarity_map_report<TriangleMesh> converged_metric(const TriangleMesh& mesh, const Holonomy_signature<TriangleMesh>& signature,
+                                                     const bool tracks_edges, const NamedParameters& np,
+                                                     const Mesh_indexing<TriangleMesh>& indexing, Consume&& consume)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Similarity_map_report<TriangleMesh> report;
+  const auto checked = check_holonomy_signature(mesh, signature, np);
+  if (!checked.success()) {
+    report.status = checked.status == Holonomy_signature_status::INVALID_MESH ? Similarity_map_status::INVALID_MESH
+                                                                              : Similarity_map_status::INVALID_SIGNATURE;
+    return report;
+  }
+  const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
+  const auto policy = choose_parameter(get_parameter(np, np_tags::flip_policy), Ideal_delaunay_flips());
+  const auto visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Progress_visitor());
+  using FT = std::decay_t<decltype(choose_parameter(get_parameter(np, np_tags::number_type), 0.))>;
+  Newton_limits limits;
+  limits.tolerance = choose_parameter(get_parameter(np, np_tags::residual_tolerance), limits.tolerance);
+  limits.number_of_iterations = choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), limits.number_of_iterations);
+  auto&& solver = sparse_linear_solver(np);
+
+  visitor.begin_stage("similarity metric");
+  const Metric_input input(indexing, signature, points);
+  Metric_computation<FT> computation(input, tracks_edges);
+  if (!computation.prepare(policy))
+    return report;
+  iterate_to_convergence(computation, input, indexing, policy, solver, visitor, limits, report,
+                         [&](const auto& converged) { consume(input, converged); });
+  return report;
+}
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_CONVERGED_METRIC_H
