@@ -27,5 +27,6 @@ else
   [ -e "$mesh" ] || { mkdir -p build/demo_data && tar -xzf "$archive" -C build/demo_data data/meshes; }
 fi
 
-build/examples/mesh_to_t_spline "$mesh" -o demo_output "$@"
+# BLAS threads cost more than they save on matrices of meshes.
+OPENBLAS_NUM_THREADS=1 build/examples/mesh_to_t_spline "$mesh" -o demo_output "$@"
 echo "Open this page in a browser: $PWD/demo_output/report.html"

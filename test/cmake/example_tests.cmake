@@ -7,6 +7,6 @@ foreach(example IN LISTS t_splines_examples)
   if(NOT example STREQUAL mesh_to_t_spline)
     add_test(NAME example.${example} COMMAND ${example})
     set_tests_properties(example.${example} PROPERTIES
-      LABELS examples TIMEOUT 300 ENVIRONMENT CGAL_DATA_DIR=${t_splines_demo_data})
+      LABELS examples TIMEOUT 300 ENVIRONMENT "CGAL_DATA_DIR=${t_splines_demo_data};OPENBLAS_NUM_THREADS=1")
   endif()
 endforeach()

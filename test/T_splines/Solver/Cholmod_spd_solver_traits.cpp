@@ -62,6 +62,17 @@ TEST_CASE("CHOLMOD and Eigen agree", "[Cholmod_spd_solver_traits]")
   CHECK(largest_absolute(x) <= 16 / shift * 1e-14 * largest_absolute(y));
 }
 
+TEST_CASE("CHOLMOD takes its parameters", "[Cholmod_spd_solver_traits]")
+{
+  const auto a = shifted_laplacian<double>(60, 60, 1e-3);
+  const std::vector<double> b = random_vector<double>(3600);
+  std::vector<double> x;
+  Cholmod_spd_solver_traits solver;
+  solver.parameters().method[0].ordering = CHOLMOD_METIS;
+  REQUIRE((solver.analyze_pattern(a) && solver.factorize(a) && solver.solve(b, x)));
+  CHECK(backward_error(a, x, b) <= 1e-14);
+}
+
 TEST_CASE("CHOLMOD solves for 700 thousand unknowns", "[Cholmod_spd_solver_traits]")
 {
   const auto a = shifted_laplacian<double>(840, 840, 1e-6);
