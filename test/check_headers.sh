@@ -4,7 +4,7 @@
 
 # Usage: check_headers.sh INCLUDE_DIRECTORY
 # Checks what every header owes: its licence line, a guard that is named after its path, at most 800 lines, no output,
-# no end of the program, no plain assert.
+# no end of the program, no plain assert; and that the header of the whole package has them all.
 
 set -u
 cd "$1" || exit 2
@@ -39,6 +39,14 @@ complain "No include guard named after the path:" \
        [ "$h" = CGAL/T_splines/internal/named_parameters_list.h ] && continue
        guard=$(printf '%s' "$h" | tr '[:lower:]/.-' '[:upper:]___')
        grep -qx "#define $guard" "$h" || echo "$h: $guard"
+     done)"
+
+complain "Public headers that CGAL/T_splines.h does not include:" \
+  "$(for h in "${headers[@]}"; do
+       case "$h" in
+         */internal/* | CGAL/T_splines.h) ;;
+         *) grep -qx "#include <$h>" CGAL/T_splines.h || echo "$h" ;;
+       esac
      done)"
 
 exit $((failures > 0))

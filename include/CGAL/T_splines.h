@@ -8,9 +8,32 @@
 /// The whole package: every public header.
 
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
+#include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
+#include <CGAL/T_splines/Cross_field/IO/Field_file_report.h>
+#include <CGAL/T_splines/Cross_field/IO/read_cone_angles.h>
+#include <CGAL/T_splines/Cross_field/IO/read_cones.h>
+#include <CGAL/T_splines/Cross_field/IO/read_crossfield.h>
+#include <CGAL/T_splines/Cross_field/IO/read_ffield.h>
+#include <CGAL/T_splines/Cross_field/IO/read_rawfield.h>
+#include <CGAL/T_splines/Cross_field/IO/read_rosy.h>
+#include <CGAL/T_splines/Cross_field/IO/write_cones.h>
+#include <CGAL/T_splines/Cross_field/IO/write_rawfield.h>
+#include <CGAL/T_splines/Cross_field/check_holonomy_signature.h>
+#include <CGAL/T_splines/Cross_field/check_triangle_mesh.h>
+#include <CGAL/T_splines/Cross_field/compute_smooth_cross_field.h>
+#include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
+#include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
+#include <CGAL/T_splines/IO/Mesh_reading_report.h>
+#include <CGAL/T_splines/IO/read_map_obj.h>
+#include <CGAL/T_splines/IO/read_triangle_mesh.h>
+#include <CGAL/T_splines/IO/write_map_obj.h>
 #include <CGAL/T_splines/Progress_visitor.h>
+#include <CGAL/T_splines/Similarity_map/Flip_policy.h>
 #include <CGAL/T_splines/Similarity_map/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/Similarity_map_report.h>
+#include <CGAL/T_splines/Similarity_map/Similarity_metric.h>
+#include <CGAL/T_splines/Similarity_map/compute_seamless_similarity_map.h>
+#include <CGAL/T_splines/Similarity_map/compute_similarity_metric.h>
 #include <CGAL/T_splines/Solver/Cholmod_spd_solver_traits.h>
 #include <CGAL/T_splines/Solver/Eigen_spd_solver_traits.h>
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
