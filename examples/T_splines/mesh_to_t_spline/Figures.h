@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef MESH_TO_T_SPLINE_FIGURES_H
+#define MESH_TO_T_SPLINE_FIGURES_H
+
+#include <CGAL/T_splines/IO/internal/Json_writer.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Every number of a run: what the summary, `report.json` and `report.html` show.
+struct Figures {
+  struct Input {
+    std::string name, path, note;
+    std::size_t vertices = 0, edges = 0, faces = 0, components = 0;
+    long genus = 0; ///< of all components together
+  };
+  struct Signature {
+    std::string source;
+    std::vector<std::pair<std::size_t, int>> cones; ///< vertex of the input, quarter turns
+    std::vector<int> loops;
+  };
+  struct Map {
+    std::string status, solver, flip_policy;
+    bool converged = false;
+    double residual = 0, tolerance = 0;
+    std::vector<double> residual_history;
+    int iterations = 0, halvings = 0, factorizations = 0, linear_iterations = 0, mantissa_bits = 53;
+    std::size_t delaunay_flips = 0, flips = 0;
+  };
+  struct Transition {
+    int quarter_turns;
+    double scale;
+    std::size_t edges;
+  };
+  struct Refined {
+    std::size_t vertices = 0, faces = 0, cut_edges = 0;
+    double scale_range = 1; ///< largest over smallest length in the plane per length in space, over the triangles
+    std::vector<Transition> transitions;
+  };
+  struct Stage {
+    std::string name;
+    double seconds;
+  };
+
+  std::string version;
+  Input input;
+  Signature signature;
+  Map map;
+  Refined refined;
+  std::vector<Stage> stages;
+  double seconds = 0;
+  std::size_t peak_memory_bytes = 0; ///< 0: not known
+};
+
+inline void write_map_figures(CGAL::T_splines::internal::Json_writer& json, const Figures::Map& map)
+{
+  json.key("map").begin_object();
+  json.member("status", map.status).member("converged", map.converged);
+  json.member("residual", map.residual).member("tolerance", map.tolerance);
+  json.array_member("residual_history", map.residual_history);
+  json.member("iterations", map.iterations).member("halvings", map.halvings);
+  json.member("factorizations", map.factorizations).member("linear_iterations", map.linear_iterations);
+  json.member("delaunay_flips", map.delaunay_flips).member("flips", map.flips);
+  json.member("mantissa_bits", map.mantissa_bits);
+  json.member("solver", map.solver).member("flip_policy", map.flip_policy);
+  json.end_object();
+}
+
+inline void write_signature_figures(CGAL::T_splines::internal::Json_writer& json, const Figures::Signature& signature)
+{
+  json.key("signature").begin_object();
+  json.member("source", signature.source);
+  json.key("cones").begin_array();
+  for (const auto& [vertex, k] : signature.cones)
+    json.begin_object().member("vertex", vertex).member("quarter_turns", k).end_object();
+  json.end_array();
+  json.array_member("loops", signature.loops);
+  json.end_object();
+}
+
+inline void write_refined_figures(CGAL::T_splines::internal::Json_writer& json, const Figures::Refined& refined)
+{
+  json.key("refined").begin_object();
+  json.member("vertices", refined.vertices).member("faces", refined.faces).member("cut_edges", refined.cut_edges);
+  json.member("scale_range", refined.scale_range);
+  json.key("transitions").begin_array();
+  for (const Figures::Transition& transition : refined.transitions)
+    json.begin_object()
+      .member("quarter_turns", transition.quarter_turns)
+      .member("scale", transition.scale)
+      .member("edges", transition.edges)
+      .end_object();
+  json.end_array();
+  json.end_object();
+}
+
+/// The content of `report.json`.
+inline std::string figures_as_json(const Figures& figures)
+{
+  CGAL::T_splines::internal::Json_writer json;
+  json.begin_object();
+  json.member("program", "mesh_to_t_spline").member("version", figures.version);
+  json.key("input").begin_object();
+  json.member("name", figures.input.name).member("path", figures.input.path).member("note", figures.input.note);
+  json.member("vertices", figures.input.vertices).member("edges", figures.input.edges).member("faces", figures.input.faces);
+  json.member("components", figures.input.components).member("genus", figures.input.genus);
+  json.end_object();
+  write_signature_figures(json, figures.signature);
+  write_map_figures(json, figures.map);
+  write_refined_figures(json, figures.refined);
+  json.key("stages").begin_array();
+  for (const Figures::Stage& stage : figures.stages)
+    json.begin_object().member("name", stage.name).member("seconds", stage.seconds).end_object();
+  json.end_array();
+  json.member("seconds", figures.seconds).member("peak_memory_bytes", figures.peak_memory_bytes);
+  json.end_object();
+  return json.text() + "\n";
+}
+
+#endif // MESH_TO_T_SPLINE_FIGURES_H

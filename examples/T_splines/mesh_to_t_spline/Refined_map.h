@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef MESH_TO_T_SPLINE_REFINED_MAP_H
+#define MESH_TO_T_SPLINE_REFINED_MAP_H
+
+#include "Figures.h"
+
+#include <CGAL/T_splines/Similarity_map/Similarity_2.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/locate.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+using Halfedge = Mesh::Halfedge_index;
+using Edge = Mesh::Edge_index;
+using Face = Mesh::Face_index;
+using Location = CGAL::Polygon_mesh_processing::Face_location<Mesh, double>;
+using Transition = CGAL::T_splines::Similarity_2<double>;
+
+/// The refined mesh with all that is known of it.
+struct Refined_map {
+  Mesh mesh;
+  Mesh::Property_map<Halfedge, Kernel::Point_2> uv = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
+  Mesh::Property_map<Halfedge, Transition> transition = mesh.add_property_map<Halfedge, Transition>("h:transition").first;
+  Mesh::Property_map<Edge, bool> is_cut = mesh.add_property_map<Edge, bool>("e:is_cut", false).first;
+  Mesh::Property_map<Vertex, Location> location = mesh.add_property_map<Vertex, Location>("v:location").first;
+
+  Refined_map() = default;
+  Refined_map(const Refined_map&) = delete; // the property maps are those of this mesh
+  Refined_map& operator=(const Refined_map&) = delete;
+};
+
+/// Tells which edges of the refined mesh lie on edges of the input.
+class Input_edge_finder {
+public:
+  /// \pre The vertices of the input come first in `refined`, in their order.
+  Input_edge_finder(const Mesh& input, const Refined_map& refined) : m_input(input), m_refined(refined)
+  {
+    for (std::size_t i = input.number_of_vertices(); i < refined.mesh.number_of_vertices(); ++i)
+      m_edge_of_added_vertex.push_back(edge_of(refined.location[vertex(i)]));
+  }
+
+  bool operator()(const Edge e) const
+  {
+    const Halfedge h = m_refined.mesh.halfedge(e);
+    Vertex v = m_refined.mesh.source(h), w = m_refined.mesh.target(h);
+    if (!is_added(v))
+      std::swap(v, w);
+    if (!is_added(v))
+      return m_input.halfedge(v, w) != Mesh::null_halfedge();
+    const std::optional<Edge> edge = m_edge_of_added_vertex[v - m_input.number_of_vertices()];
+    if (!edge)
+      return false;
+    if (is_added(w))
+      return m_edge_of_added_vertex[w - m_input.number_of_vertices()] == edge;
+    return m_input.vertex(*edge, 0) == w || m_input.vertex(*edge, 1) == w;
+  }
+
+private:
+  static Vertex vertex(const std::size_t i) { return Vertex(static_cast<Mesh::size_type>(i)); }
+
+  bool is_added(const Vertex v) const { return static_cast<std::size_t>(v) >= m_input.number_of_vertices(); }
+
+  /// The edge of a location on the border of its face.
+  std::optional<Edge> edge_of(const Location& location) const
+  {
+    const Halfedge h = m_input.halfedge(location.first);
+    const std::array<Halfedge, 3> opposite_sides = {m_input.next(h), m_input.prev(h), h};
+    for (std::size_t i = 0; i < 3; ++i)
+      if (location.second[i] == 0)
+        return m_input.edge(opposite_sides[i]);
+    return std::nullopt;
+  }
+
+  const Mesh& m_input;
+  const Refined_map& m_refined;
+  std::vector<std::optional<Edge>> m_edge_of_added_vertex;
+};
+
+/// The rotations and scale factors across the cut, each together with its inverse.
+inline std::vector<Figures::Transition> distinct_transitions(const Refined_map& refined)
+{
+  constexpr double tolerance = 1e-9; // of logarithms of scale factors
+  std::vector<Figures::Transition> result;
+  for (const Edge e : refined.mesh.edges()) {
+    if (!refined.is_cut[e])
+      continue;
+    Transition t = refined.transition[refined.mesh.halfedge(e)];
+    const bool is_rotation = std::abs(std::log(t.scale())) < tolerance;
+    if (is_rotation ? t.quarter_turns() == 3 : t.scale() < 1)
+      t = t.inverse();
+    const auto position = std::find_if(result.begin(), result.end(), [&t](const Figures::Transition& other) {
+      return other.quarter_turns == t.quarter_turns() && std::abs(std::log(other.scale / t.scale())) < tolerance;
+    });
+    if (position == result.end())
+      result.push_back({t.quarter_turns(), t.scale(), 1});
+    else
+      ++position->edges;
+  }
+  std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
+    return std::make_pair(a.scale, a.quarter_turns) < std::make_pair(b.scale, b.quarter_turns);
+  });
+  return result;
+}
+
+/// Largest over smallest square root of area in the plane over area in space.
+inline double scale_range(const Refined_map& refined)
+{
+  double low = HUGE_VAL, high = 0;
+  for (const Face f : refined.mesh.faces()) {
+    const Halfedge h = refined.mesh.halfedge(f), g = refined.mesh.next(h), k = refined.mesh.next(g);
+    const auto point = [&refined](const Halfedge halfedge) { return refined.mesh.point(refined.mesh.target(halfedge)); };
+    const double area = std::sqrt(CGAL::squared_area(point(h), point(g), point(k)));
+    const double uv_area = CGAL::area(refined.uv[h], refined.uv[g], refined.uv[k]);
+    low = std::min(low, uv_area / area);
+    high = std::max(high, uv_area / area);
+  }
+  return std::sqrt(high / low);
+}
+
+inline Figures::Refined refined_figures(const Refined_map& refined)
+{
+  Figures::Refined figures;
+  figures.vertices = refined.mesh.number_of_vertices();
+  figures.faces = refined.mesh.number_of_faces();
+  figures.cut_edges = static_cast<std::size_t>(
+    std::count_if(refined.mesh.edges().begin(), refined.mesh.edges().end(), [&](const Edge e) { return refined.is_cut[e]; }));
+  figures.scale_range = scale_range(refined);
+  figures.transitions = distinct_transitions(refined);
+  return figures;
+}
+
+#endif // MESH_TO_T_SPLINE_REFINED_MAP_H

@@ -1,0 +1,127 @@
+// The tables and plots beside the picture.
+
+function element(name, attributes = {}, ...children) {
+  const svg = ["svg", "path", "circle", "line", "text"].includes(name);
+  const result = svg ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
+  for (const [key, value] of Object.entries(attributes))
+    result.setAttribute(key, value);
+  result.append(...children);
+  return result;
+}
+
+function countText(n) { return n.toLocaleString("en-US"); }
+
+function shortNumber(x) {
+  if (x === null || x === undefined)
+    return "not finite";
+  if (Number.isInteger(x) && Math.abs(x) < 1e6)
+    return countText(x);
+  return Math.abs(x) >= 1e-3 && Math.abs(x) < 1e5 ? String(+x.toPrecision(6)) : x.toExponential(2);
+}
+
+function seconds(s) { return s < 0.0995 ? (1000 * s).toFixed(s < 0.00995 ? 1 : 0) + " ms" : s.toFixed(2) + " s"; }
+
+function table(rows) {
+  return element("table", {}, element("tbody", {}, ...rows.map(([name, value]) =>
+    element("tr", {}, element("th", { scope: "row" }, name), element("td", {}, typeof value === "number" ? shortNumber(value) : value)))));
+}
+
+function section(title, ...children) { return element("section", {}, element("h2", {}, title), ...children); }
+
+function note(text) { return element("p", { class: "note" }, text); }
+
+// The residual after each iteration on a logarithmic axis.
+function residualPlot(history, tolerance) {
+  const width = 336, height = 170, left = 44, right = 8, top = 8, bottom = 24;
+  const logs = history.map(r => Math.log10(Math.max(r || 1e-17, 1e-17)));
+  const high = Math.ceil(Math.max(...logs, 0)), low = Math.floor(Math.min(...logs, Math.log10(tolerance)) - 0.3);
+  const x = i => left + (width - left - right) * i / Math.max(1, logs.length - 1);
+  const y = l => top + (height - top - bottom) * (high - l) / (high - low);
+  const svg = element("svg", { viewBox: `0 0 ${width} ${height}`, width: "100%", role: "img", "aria-label": "Residual after each iteration" });
+  const step = Math.max(1, Math.ceil((high - low) / 6));
+  for (let l = high; l >= low; l -= step) {
+    svg.append(element("line", { class: "axis", x1: left, x2: width - right, y1: y(l), y2: y(l) }));
+    svg.append(element("text", { x: left - 6, y: y(l) + 4, "text-anchor": "end" }, `1e${l}`));
+  }
+  const stride = Math.max(1, Math.ceil(logs.length / 10));
+  for (let i = 0; i < logs.length; i += stride)
+    svg.append(element("text", { x: x(i), y: height - 7, "text-anchor": "middle" }, String(i)));
+  svg.append(element("line", { class: "goal", x1: left, x2: width - right, y1: y(Math.log10(tolerance)), y2: y(Math.log10(tolerance)) }));
+  svg.append(element("path", { class: "curve", d: logs.map((l, i) => `${i ? "L" : "M"}${x(i).toFixed(1)} ${y(l).toFixed(1)}`).join("") }));
+  if (logs.length < 60)
+    logs.forEach((l, i) => svg.append(element("circle", { class: "dot", cx: x(i), cy: y(l), r: 2.6 })));
+  return svg;
+}
+
+function stageBars(stages) {
+  const longest = Math.max(...stages.map(stage => stage.seconds), 1e-9);
+  const bars = element("div", { class: "bars" });
+  for (const stage of stages) {
+    const bar = element("div", { class: "bar", style: `width: ${(100 * stage.seconds / longest).toFixed(1)}%` });
+    bars.append(element("span", {}, stage.name), bar, element("span", {}, seconds(stage.seconds)));
+  }
+  return bars;
+}
+
+function coneLegend(cones) {
+  const counts = new Map();
+  for (const cone of cones)
+    counts.set(cone.quarter_turns, (counts.get(cone.quarter_turns) || 0) + 1);
+  if (counts.size === 0)
+    return note("None: the surface is flat everywhere in the map's metric.");
+  return table([...counts].sort((a, b) => a[0] - b[0]).map(([k, count]) => {
+    const label = element("span", {}, element("span", { class: "swatch", style: `background: ${coneColor(k)}` }), `k = ${k}, angle ${90 * k}°`);
+    return [label, countText(count)];
+  }));
+}
+
+function scaleTable(transitions) {
+  const head = element("thead", {}, element("tr", {}, ...["quarter turns", "scale factor s", "cut edges"].map((name, i) =>
+    element("th", { style: i ? "text-align: right" : "" }, name))));
+  const rows = transitions.map(t => element("tr", {}, element("td", { style: "text-align: left" }, String(t.quarter_turns)),
+    element("td", {}, String(+t.scale.toPrecision(10))), element("td", {}, countText(t.edges))));
+  return element("table", {}, head, element("tbody", {}, ...rows));
+}
+
+// The figures of the map as it is on this page, measured from its triangles.
+function mapQuality(measure) {
+  let total = 0, weighted = 0, worst = 0, flipped = 0;
+  for (let t = 0; t < measure.area.length; ++t) {
+    if (!(measure.uvArea[t] > 0)) {
+      ++flipped;
+      continue;
+    }
+    total += measure.area[t];
+    weighted += measure.area[t] * measure.dilatation[t];
+    worst = Math.max(worst, measure.dilatation[t]);
+  }
+  return { mean: weighted / total, worst, flipped };
+}
+
+function showFigures(report, measure) {
+  const { input, signature, map, refined } = report;
+  document.title = `${input.name}: seamless similarity map`;
+  document.getElementById("title").textContent = input.name;
+  const verdict = document.getElementById("verdict");
+  verdict.append(element("span", { class: map.converged ? "good" : "bad" }, map.status),
+    `  ·  residual ${shortNumber(map.residual)}  ·  ${map.iterations} iterations  ·  genus ${input.genus}  ·  ${countText(signature.cones.length)} cones`);
+  const figures = document.getElementById("figures");
+  const cut = element("span", { class: "note" }, element("span", { class: "stroke" }), "the cut: directions continue across it, the positions of the cells need not");
+  figures.append(section("Cones", coneLegend(signature.cones), note(`Signature: ${signature.source}.`), cut));
+  figures.append(section("Convergence", residualPlot(map.residual_history, map.tolerance),
+    table([["largest residual (radians)", map.residual], ["iterations", map.iterations], ["halved steps", map.halvings],
+           ["factorizations", map.factorizations], ["linear solves", map.linear_iterations],
+           ["flips to intrinsic Delaunay", map.delaunay_flips], ["flips on the way", map.flips], ["mantissa bits", map.mantissa_bits]])));
+  figures.append(section("Time", stageBars(report.stages),
+    note(`${seconds(report.seconds)} in all` + (report.peak_memory_bytes ? `, ${(report.peak_memory_bytes / 2 ** 20).toFixed(0)} MB at most` : ""))));
+  const quality = measure ? mapQuality(measure) : null;
+  figures.append(section("Mesh", table([
+    ["input vertices", input.vertices], ["input faces", input.faces], ["genus", input.genus], ["components", input.components],
+    ["refined vertices", refined.vertices], ["refined faces", refined.faces], ["cut edges", refined.cut_edges],
+    ["largest / smallest scale", refined.scale_range]].concat(quality ? [
+    ["flipped triangles", quality.flipped], ["dilatation, mean", +quality.mean.toPrecision(5)], ["dilatation, worst", +quality.worst.toPrecision(5)]] : []))));
+  if (report.input.note)
+    figures.lastChild.append(note(report.input.note));
+  const loops = signature.loops.length ? `Turning numbers of the ${signature.loops.length} loops: ${signature.loops.join(", ")}.` : "No loops: every closed curve is contractible.";
+  figures.append(section("Transitions across the cut", refined.transitions.length ? scaleTable(refined.transitions) : note("No cut."), note(loops)));
+}

@@ -1,0 +1,169 @@
+// The mesh of the page and what is computed from it once.
+
+function decode(id) {
+  const element = document.getElementById(id);
+  const text = atob(element.textContent);
+  element.remove();
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i)
+    bytes[i] = text.charCodeAt(i);
+  return bytes.buffer;
+}
+
+// positions: 3 per vertex, the bounding box is centred at 0 and has diagonal 2.
+// uv: 2 per uv vertex, in double precision; uvVertices: the vertex of each; triangles: 3 uv vertices each.
+// edgeFlags: per triangle, bit i: the side opposite to corner i lies on an edge of the input; bit 3 + i: it is cut.
+function readMesh() {
+  return {
+    positions: new Float32Array(decode("positions")),
+    uv: new Float64Array(decode("uv")),
+    uvVertices: new Uint32Array(decode("uv_vertices")),
+    triangles: new Uint32Array(decode("triangles")),
+    edgeFlags: new Uint8Array(decode("edge_flags"))
+  };
+}
+
+// Per triangle: area in space, area in the plane, dilatation (larger over smaller singular value), normal.
+function measureTriangles(mesh) {
+  const { positions, uv, uvVertices, triangles } = mesh;
+  const count = triangles.length / 3;
+  const area = new Float64Array(count), uvArea = new Float64Array(count);
+  const dilatation = new Float32Array(count), normals = new Float32Array(3 * count);
+  for (let t = 0; t < count; ++t) {
+    const [i, j, k] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]];
+    const [a, b, c] = [3 * uvVertices[i], 3 * uvVertices[j], 3 * uvVertices[k]];
+    const p = [0, 1, 2].map(d => positions[b + d] - positions[a + d]);
+    const q = [0, 1, 2].map(d => positions[c + d] - positions[a + d]);
+    const n = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+    const twice = Math.hypot(...n);
+    const length = Math.hypot(...p) || 1e-30;
+    // p = (length, 0) and q = (x, y) in the plane of the triangle; the map sends them to r and s.
+    const x = (p[0] * q[0] + p[1] * q[1] + p[2] * q[2]) / length, y = twice / length || 1e-30;
+    const r = [(uv[2 * j] - uv[2 * i]) / length, (uv[2 * j + 1] - uv[2 * i + 1]) / length];
+    const s = [0, 1].map(d => (uv[2 * k + d] - uv[2 * i + d] - x * r[d]) / y);
+    const det = r[0] * s[1] - r[1] * s[0];
+    const sum = r[0] * r[0] + r[1] * r[1] + s[0] * s[0] + s[1] * s[1];
+    const root = Math.sqrt(Math.max(0, sum * sum - 4 * det * det));
+    area[t] = twice / 2;
+    uvArea[t] = det * twice / 2;
+    dilatation[t] = det > 0 ? Math.sqrt((sum + root) / Math.max(sum - root, 1e-300)) : Infinity;
+    for (let d = 0; d < 3; ++d)
+      normals[3 * t + d] = n[d] / (twice || 1e-30);
+  }
+  return { area, uvArea, dilatation, normals };
+}
+
+// Per uv vertex: binary logarithm of the length of the map, plane over space, averaged over its triangles and smoothed.
+function logScales(mesh, measure) {
+  const { uvVertices, triangles } = mesh;
+  let scale = new Float64Array(uvVertices.length);
+  const ofTriangle = measure.area.map((a, t) => Math.log2(Math.max(measure.uvArea[t], 1e-300) / Math.max(a, 1e-300)) / 2);
+  const ofCorners = (t, values) => (values[triangles[3 * t]] + values[triangles[3 * t + 1]] + values[triangles[3 * t + 2]]) / 3;
+  for (let pass = 0; pass < 3; ++pass) {
+    const next = new Float64Array(scale.length), weight = new Float64Array(scale.length);
+    for (let t = 0; t < ofTriangle.length; ++t) {
+      const w = measure.area[t] + 1e-14, value = pass === 0 ? ofTriangle[t] : ofCorners(t, scale);
+      for (let i = 0; i < 3; ++i) {
+        next[triangles[3 * t + i]] += w * value;
+        weight[triangles[3 * t + i]] += w;
+      }
+    }
+    scale = next.map((value, v) => value / weight[v]);
+  }
+  return scale;
+}
+
+// The triangles at each vertex: those of v are list[first[v]] ... list[first[v + 1] - 1].
+function trianglesOfVertices(mesh) {
+  const count = mesh.positions.length / 3;
+  const first = new Uint32Array(count + 1), list = new Uint32Array(mesh.triangles.length);
+  for (const i of mesh.triangles)
+    ++first[mesh.uvVertices[i] + 1];
+  for (let v = 0; v < count; ++v)
+    first[v + 1] += first[v];
+  const next = first.slice();
+  for (let c = 0; c < mesh.triangles.length; ++c)
+    list[next[mesh.uvVertices[mesh.triangles[c]]]++] = (c / 3) | 0;
+  return { first, list };
+}
+
+// Per corner, three signed bytes and a filler: the mean normal of the triangles at the vertex that are within the crease angle.
+function cornerNormals(mesh, measure) {
+  const crease = Math.cos(50 * Math.PI / 180);
+  const { first, list } = trianglesOfVertices(mesh);
+  const { normals, area } = measure;
+  const result = new Int8Array(4 * mesh.triangles.length);
+  for (let c = 0; c < mesh.triangles.length; ++c) {
+    const t = 3 * ((c / 3) | 0), v = mesh.uvVertices[mesh.triangles[c]];
+    let x = 0, y = 0, z = 0;
+    for (let i = first[v]; i < first[v + 1]; ++i) {
+      const s = 3 * list[i];
+      if (normals[t] * normals[s] + normals[t + 1] * normals[s + 1] + normals[t + 2] * normals[s + 2] > crease) {
+        const w = area[list[i]] + 1e-14;
+        x += w * normals[s];
+        y += w * normals[s + 1];
+        z += w * normals[s + 2];
+      }
+    }
+    const length = Math.hypot(x, y, z);
+    if (length > 0)
+      result.set([127 * x / length, 127 * y / length, 127 * z / length], 4 * c);
+  }
+  return result;
+}
+
+function median(values) {
+  const sorted = Float64Array.from(values).sort();
+  return sorted[sorted.length >> 1];
+}
+
+function quantile(values, q) {
+  const sorted = Float64Array.from(values).sort();
+  return sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))];
+}
+
+// What the surface is drawn from, per corner. The uv of a triangle is relative to an origin of its own, a multiple of 2^8
+// of its cells, and in units of a power of two near its cell: so single precision does however far the sizes in
+// the plane are apart, and neighbouring triangles still continue each other's pattern.
+function surfaceBuffers(mesh, measure, cell) {
+  const corners = mesh.triangles.length, { uv, triangles } = mesh;
+  const scale = logScales(mesh, measure), offset = Math.log2(cell);
+  const buffers = {
+    position: new Float32Array(3 * corners), normal: cornerNormals(mesh, measure), uv: new Float32Array(2 * corners),
+    level: new Float32Array(corners), scale: new Float32Array(corners), dilatation: new Float32Array(corners),
+    flags: new Uint8Array(corners), corners
+  };
+  const middle = median(scale);
+  for (let t = 0; 3 * t < corners; ++t) {
+    const mine = [0, 1, 2].map(i => triangles[3 * t + i]);
+    const octave = Math.round((scale[mine[0]] + scale[mine[1]] + scale[mine[2]]) / 3 + offset);
+    const unit = 2 ** octave, period = 256 * unit;
+    const origin = [0, 1].map(d => Math.round(uv[2 * mine[0] + d] / period) * period);
+    for (let i = 0; i < 3; ++i) {
+      const c = 3 * t + i, v = 3 * mesh.uvVertices[mine[i]];
+      for (let d = 0; d < 3; ++d)
+        buffers.position[3 * c + d] = mesh.positions[v + d];
+      for (let d = 0; d < 2; ++d)
+        buffers.uv[2 * c + d] = (uv[2 * mine[i] + d] - origin[d]) / unit;
+      buffers.level[c] = scale[mine[i]] + offset - octave;
+      buffers.scale[c] = 2 * (scale[mine[i]] - middle);
+      buffers.dilatation[c] = Math.min(Math.log2(measure.dilatation[t]), 64);
+      buffers.flags[c] = mesh.edgeFlags[t];
+    }
+  }
+  buffers.scaleRange = Math.max(1, quantile(scale.map(value => Math.abs(2 * (value - middle))), 0.99));
+  return buffers;
+}
+
+// The cut, each edge once: 6 coordinates per edge.
+function cutSegments(mesh) {
+  const segments = [];
+  for (let t = 0; 3 * t < mesh.triangles.length; ++t)
+    for (let i = 0; i < 3; ++i)
+      if (mesh.edgeFlags[t] & (8 << i)) {
+        const v = mesh.uvVertices[mesh.triangles[3 * t + (i + 1) % 3]], w = mesh.uvVertices[mesh.triangles[3 * t + (i + 2) % 3]];
+        if (v < w)
+          segments.push(...mesh.positions.subarray(3 * v, 3 * v + 3), ...mesh.positions.subarray(3 * w, 3 * w + 3));
+      }
+  return new Float32Array(segments);
+}

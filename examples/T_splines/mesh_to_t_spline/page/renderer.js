@@ -1,0 +1,147 @@
+// Everything that talks to WebGL2.
+
+const coneColors = { 1: "#7b1fa2", 2: "#d81b60", 3: "#e53935", 5: "#1e66d0", 6: "#00a2a8", 7: "#2e9e44", 8: "#8bb021" };
+
+function coneColor(k) { return coneColors[k] || (k < 1 ? "#000000" : "#f2b705"); }
+
+function colorComponents(hex) { return [1, 3, 5].map(i => parseInt(hex.slice(i, i + 2), 16) / 255); }
+
+function icosphere() {
+  const g = (1 + Math.sqrt(5)) / 2;
+  const corners = [[-1, g, 0], [1, g, 0], [-1, -g, 0], [1, -g, 0], [0, -1, g], [0, 1, g], [0, -1, -g], [0, 1, -g], [g, 0, -1], [g, 0, 1], [-g, 0, -1], [-g, 0, 1]];
+  const faces = [[0, 11, 5], [0, 5, 1], [0, 1, 7], [0, 7, 10], [0, 10, 11], [1, 5, 9], [5, 11, 4], [11, 10, 2], [10, 7, 6], [7, 1, 8],
+                 [3, 9, 4], [3, 4, 2], [3, 2, 6], [3, 6, 8], [3, 8, 9], [4, 9, 5], [2, 4, 11], [6, 2, 10], [8, 6, 7], [9, 8, 1]];
+  const unit = p => { const n = Math.hypot(...p); return p.map(x => x / n); };
+  const middle = (p, q) => unit(p.map((x, d) => x + q[d]));
+  let triangles = faces.map(face => face.map(i => unit(corners[i])));
+  for (let level = 0; level < 2; ++level)
+    triangles = triangles.flatMap(([a, b, c]) => {
+      const [d, e, f] = [middle(a, b), middle(b, c), middle(c, a)];
+      return [[a, d, f], [d, b, e], [f, e, c], [d, e, f]];
+    });
+  return new Float32Array(triangles.flat(2));
+}
+
+class Renderer {
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.gl = canvas.getContext("webgl2", { antialias: true, alpha: true, premultipliedAlpha: true });
+    if (!this.gl)
+      throw new Error("This browser offers no WebGL2, which the picture needs. The figures beside it are complete.");
+    this.programs = {
+      surface: this.program(surfaceVertexShader, surfaceFragmentShader),
+      line: this.program(lineVertexShader, lineFragmentShader),
+      cone: this.program(coneVertexShader, coneFragmentShader)
+    };
+  }
+
+  program(vertexSource, fragmentSource) {
+    const gl = this.gl, program = gl.createProgram();
+    for (const [type, source] of [[gl.VERTEX_SHADER, vertexSource], [gl.FRAGMENT_SHADER, fragmentSource]]) {
+      const shader = gl.createShader(type);
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS))
+        throw new Error(gl.getShaderInfoLog(shader));
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS))
+      throw new Error(gl.getProgramInfoLog(program));
+    const uniforms = {};
+    for (let i = 0; i < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); ++i) {
+      const name = gl.getActiveUniform(program, i).name;
+      uniforms[name] = gl.getUniformLocation(program, name);
+    }
+    return { program, uniforms };
+  }
+
+  // Attributes by location: { data, size, integer, normalized, stride, offset, perInstance }.
+  vertexArray(attributes) {
+    const gl = this.gl, array = gl.createVertexArray();
+    gl.bindVertexArray(array);
+    attributes.forEach((attribute, location) => {
+      gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+      gl.bufferData(gl.ARRAY_BUFFER, attribute.data, gl.STATIC_DRAW);
+      gl.enableVertexAttribArray(location);
+      const type = attribute.data instanceof Float32Array ? gl.FLOAT : attribute.data instanceof Int8Array ? gl.BYTE : gl.UNSIGNED_BYTE;
+      const stride = attribute.stride || 0, offset = attribute.offset || 0;
+      if (attribute.integer)
+        gl.vertexAttribIPointer(location, attribute.size, type, stride, offset);
+      else
+        gl.vertexAttribPointer(location, attribute.size, type, type === gl.BYTE, stride, offset);
+      if (attribute.perInstance)
+        gl.vertexAttribDivisor(location, 1);
+    });
+    gl.bindVertexArray(null);
+    return array;
+  }
+
+  setSurface(buffers) {
+    this.surface = {
+      corners: buffers.corners, scaleRange: buffers.scaleRange,
+      array: this.vertexArray([
+        { data: buffers.position, size: 3 }, { data: buffers.normal, size: 3, stride: 4 }, { data: buffers.uv, size: 2 },
+        { data: buffers.level, size: 1 }, { data: buffers.scale, size: 1 }, { data: buffers.dilatation, size: 1 },
+        { data: buffers.flags, size: 1, integer: true }])
+    };
+  }
+
+  setCut(segments) {
+    const ends = { data: segments, size: 3, stride: 24, perInstance: true };
+    this.cut = { count: segments.length / 6, array: this.vertexArray([ends, { ...ends, offset: 12 }]) };
+  }
+
+  setCones(centers, colors) {
+    const sphere = icosphere();
+    this.cones = {
+      count: centers.length / 3, corners: sphere.length / 3,
+      array: this.vertexArray([{ data: sphere, size: 3 }, { data: centers, size: 3, perInstance: true }, { data: colors, size: 3, perInstance: true }])
+    };
+  }
+
+  use({ program, uniforms }, camera, aspect) {
+    this.gl.useProgram(program);
+    this.gl.uniformMatrix4fv(uniforms.view, false, camera.view());
+    this.gl.uniformMatrix4fv(uniforms.projection, false, camera.projection(aspect));
+    return uniforms;
+  }
+
+  draw(camera, options) {
+    const gl = this.gl, ratio = Math.min(window.devicePixelRatio || 1, 2);
+    const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio)), height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
+    if (this.canvas.width !== width || this.canvas.height !== height)
+      [this.canvas.width, this.canvas.height] = [width, height];
+    const aspect = width / height;
+    gl.viewport(0, 0, width, height);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LEQUAL);
+
+    const surface = this.use(this.programs.surface, camera, aspect);
+    gl.uniform1i(surface.mode, options.mode);
+    gl.uniform1i(surface.wire, options.wire);
+    gl.uniform1f(surface.cellOctaves, options.cellOctaves);
+    gl.uniform1f(surface.scaleRange, this.surface.scaleRange);
+    gl.uniform1f(surface.pixels, ratio);
+    gl.bindVertexArray(this.surface.array);
+    gl.drawArrays(gl.TRIANGLES, 0, this.surface.corners);
+
+    if (options.cut && this.cut.count > 0) {
+      const line = this.use(this.programs.line, camera, aspect);
+      gl.uniform2f(line.viewport, width, height);
+      gl.uniform1f(line.thickness, 2.2 * ratio);
+      gl.uniform3f(line.lineColor, 0.84, 0.36, 0.05);
+      gl.bindVertexArray(this.cut.array);
+      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, this.cut.count);
+    }
+    if (options.cones && this.cones.count > 0) {
+      const cone = this.use(this.programs.cone, camera, aspect);
+      gl.uniform1f(cone.radius, options.coneRadius * Math.min(1, Math.pow(camera.distance / 4, 0.6)));
+      gl.bindVertexArray(this.cones.array);
+      gl.drawArraysInstanced(gl.TRIANGLES, 0, this.cones.corners, this.cones.count);
+    }
+    gl.bindVertexArray(null);
+  }
+}

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef MESH_TO_T_SPLINE_REPORT_PAGE_H
+#define MESH_TO_T_SPLINE_REPORT_PAGE_H
+
+#include "report_page_files.h" // made by CMake from the folder page
+
+#include <CGAL/T_splines/IO/internal/Uv_vertex_table.h>
+#include <CGAL/T_splines/internal/Mesh_indexing.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+inline std::string base64(const std::string_view bytes)
+{
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t j = 0; j < 3; ++j)
+      group = 256 * group + (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0);
+    for (std::size_t j = 0; j < 4; ++j)
+      text += i + j > bytes.size() ? '=' : digits[(group >> (18 - 6 * j)) & 63];
+  }
+  return text;
+}
+
+/// The bytes of an array, the lowest of each number first: what typed arrays are on every machine with a browser.
+template <typename Number>
+std::string base64_of_array(const std::vector<Number>& numbers)
+{
+  using Bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t,
+                                  std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint8_t>>;
+  static_assert(sizeof(Bits) == sizeof(Number), "8, 4 or 1 bytes");
+  std::string bytes;
+  bytes.reserve(numbers.size() * sizeof(Number));
+  for (const Number& number : numbers) {
+    Bits bits;
+    std::memcpy(&bits, &number, sizeof(Number));
+    for (std::size_t i = 0; i < sizeof(Number); ++i)
+      bytes += static_cast<char>((bits >> (8 * i)) & 255);
+  }
+  return base64(bytes);
+}
+
+/// The mesh as the page wants it: see `readMesh()` in page/geometry.js.
+struct Page_mesh {
+  std::vector<float> positions;
+  std::vector<double> uv;
+  std::vector<std::uint32_t> uv_vertices, triangles;
+  std::vector<std::uint8_t> edge_flags;
+};
+
+/// Positions are moved and scaled so that the bounding box is centred at 0 and has the diagonal 2.
+template <typename Indexing, typename VertexPointMap>
+std::vector<float> page_positions(const Indexing& indexing, const VertexPointMap vertex_point_map)
+{
+  CGAL::Bbox_3 box;
+  for (int v = 0; v < indexing.number_of_vertices(); ++v)
+    box += get(vertex_point_map, indexing.vertex(v)).bbox();
+  double diagonal = 0;
+  for (int d = 0; d < 3; ++d)
+    diagonal = std::hypot(diagonal, box.max(d) - box.min(d));
+  std::vector<float> positions;
+  positions.reserve(3 * static_cast<std::size_t>(indexing.number_of_vertices()));
+  for (int v = 0; v < indexing.number_of_vertices(); ++v)
+    for (int d = 0; d < 3; ++d) {
+      const double middle = box.min(d) + (box.max(d) - box.min(d)) / 2;
+      positions.push_back(static_cast<float>(2 * (get(vertex_point_map, indexing.vertex(v))[d] - middle) / diagonal));
+    }
+  return positions;
+}
+
+/// \param is_input_edge edge -> bool: lies on an edge of the input
+/// \param is_cut edge -> bool
+template <typename FaceGraph, typename VertexPointMap, typename HalfedgeUVMap, typename IsInputEdge, typename IsCut>
+Page_mesh page_mesh(const FaceGraph& mesh, const VertexPointMap vertex_point_map, const HalfedgeUVMap uv_map,
+                    const IsInputEdge& is_input_edge, const IsCut& is_cut)
+{
+  const CGAL::T_splines::internal::Mesh_indexing<FaceGraph> indexing(mesh);
+  const CGAL::T_splines::internal::Uv_vertex_table table(indexing, uv_map);
+  Page_mesh result;
+  result.positions = page_positions(indexing, vertex_point_map);
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    result.uv.insert(result.uv.end(), table.uv(i).begin(), table.uv(i).end());
+    result.uv_vertices.push_back(static_cast<std::uint32_t>(table.vertex(i)));
+  }
+  for (int f = 0; f < indexing.number_of_faces(); ++f) {
+    auto h = halfedge(indexing.face(f), mesh);
+    unsigned int flags = 0;
+    for (unsigned int i = 0; i < 3; ++i, h = next(h, mesh)) {
+      result.triangles.push_back(static_cast<std::uint32_t>(table.of_halfedge(indexing.halfedge_index(h))));
+      const auto opposite_side = edge(prev(h, mesh), mesh); // from the next corner to the one after it
+      flags |= (is_input_edge(opposite_side) ? 1u : 0u) << i | (is_cut(opposite_side) ? 8u : 0u) << i;
+    }
+    result.edge_flags.push_back(static_cast<std::uint8_t>(flags));
+  }
+  return result;
+}
+
+/// Hands the page to `sink`, a function object that takes a `std::string_view`: the template with the files of the folder page and the
+/// data in the places that are marked by `@name@`.
+template <typename Sink>
+void write_report_page(Sink& sink, const std::string& report_as_json, const Page_mesh& mesh)
+{
+  const std::map<std::string_view, std::function<std::string()>> data = {
+    {"report", [&] { return report_as_json; }},
+    {"positions", [&] { return base64_of_array(mesh.positions); }},
+    {"uv", [&] { return base64_of_array(mesh.uv); }},
+    {"uv_vertices", [&] { return base64_of_array(mesh.uv_vertices); }},
+    {"triangles", [&] { return base64_of_array(mesh.triangles); }},
+    {"edge_flags", [&] { return base64_of_array(mesh.edge_flags); }}};
+  std::string_view rest = report_page_file("page.html");
+  for (std::size_t begin = rest.find('@'); begin != std::string_view::npos; begin = rest.find('@')) {
+    const std::size_t end = rest.find('@', begin + 1);
+    const std::string_view name = rest.substr(begin + 1, end - begin - 1);
+    sink(rest.substr(0, begin));
+    const auto position = data.find(name);
+    if (position != data.end())
+      sink(std::string_view(position->second()));
+    else
+      sink(report_page_file(name));
+    rest.remove_prefix(end + 1);
+  }
+  sink(rest);
+}
+
+#endif // MESH_TO_T_SPLINE_REPORT_PAGE_H
