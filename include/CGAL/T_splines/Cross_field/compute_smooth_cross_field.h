@@ -5,11 +5,11 @@
 #define CGAL_T_SPLINES_CROSS_FIELD_COMPUTE_SMOOTH_CROSS_FIELD_H
 
 #include <CGAL/T_splines/Cross_field/check_triangle_mesh.h>
+#include <CGAL/T_splines/Cross_field/internal/Complex_structure_solver.h>
 #include <CGAL/T_splines/Cross_field/internal/Smooth_field_computation.h>
 #include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
 #include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
 #include <CGAL/T_splines/Progress_visitor.h>
-#include <CGAL/T_splines/Solver/default_solver.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/named_parameters.h>
 
@@ -146,7 +146,7 @@ compute_smooth_cross_field(const TriangleMesh& mesh, CrossFieldMap cross_field,
     indexing, connectivity, choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                              get_const_property_map(CGAL::vertex_point, mesh)));
   const internal::Smooth_field_options options = internal::smooth_field_options(indexing, np);
-  auto&& solver = internal::sparse_linear_solver(np);
+  auto&& solver = internal::complex_structure_solver(np);
   internal::Smooth_field_computation<std::remove_reference_t<decltype(solver)>> computation(connectivity, geometry, options,
                                                                                             solver);
   bool is_interrupted = false;
