@@ -7,7 +7,6 @@
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/internal/named_params_helper.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -16,6 +15,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cmath>
+#include <iterator>
 #include <type_traits>
 
 namespace CGAL {
@@ -81,6 +81,14 @@ bool are_collinear(const GeomTraits& traits, const Point_3& p, const Point_3& q,
     return traits.collinear_3_object()(p, q, r);
 }
 
+// The halfedges that are reached from one by going around its target.
+template <typename TriangleMesh>
+int size_of_fan(const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v, const TriangleMesh& mesh)
+{
+  const auto fan = CGAL::halfedges_around_target(v, mesh);
+  return static_cast<int>(std::distance(fan.begin(), fan.end()));
+}
+
 template <typename TriangleMesh>
 Triangle_mesh_report<TriangleMesh> check_mesh_connectivity(const TriangleMesh& mesh, const bool is_border_allowed)
 {
@@ -97,23 +105,25 @@ Triangle_mesh_report<TriangleMesh> check_mesh_connectivity(const TriangleMesh& m
     }
   }
   const Vertex_counts degree = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
-  for (const typename Traits::vertex_descriptor v : vertices(mesh))
+  const Vertex_counts border_degree = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
+  for (const typename Traits::vertex_descriptor v : vertices(mesh)) {
     put(degree, v, 0);
+    put(border_degree, v, 0);
+  }
   for (const typename Traits::halfedge_descriptor h : halfedges(mesh)) {
-    if (!is_border_allowed && is_border(h, mesh)) {
+    const typename Traits::vertex_descriptor v = target(h, mesh);
+    put(degree, v, get(degree, v) + 1);
+    if (!is_border(h, mesh))
+      continue;
+    put(border_degree, v, get(border_degree, v) + 1);
+    if (!is_border_allowed) {
       report.halfedge = h;
       return fail(Triangle_mesh_status::BORDER);
     }
-    put(degree, target(h, mesh), get(degree, target(h, mesh)) + 1);
   }
   for (const typename Traits::vertex_descriptor v : vertices(mesh)) {
-    int degree_of_fan = 0;
-    if (get(degree, v) > 0)
-      for (const typename Traits::halfedge_descriptor h : CGAL::halfedges_around_target(v, mesh)) {
-        degree_of_fan += 1;
-        static_cast<void>(h);
-      }
-    if (degree_of_fan == get(degree, v) && degree_of_fan > 0)
+    const int degree_of_fan = get(degree, v) > 0 ? size_of_fan<TriangleMesh>(v, mesh) : 0;
+    if (degree_of_fan == get(degree, v) && degree_of_fan > 0 && get(border_degree, v) <= 1)
       continue;
     report.vertex = v;
     return fail(degree_of_fan == 0 ? Triangle_mesh_status::ISOLATED_VERTEX : Triangle_mesh_status::NON_MANIFOLD_VERTEX);

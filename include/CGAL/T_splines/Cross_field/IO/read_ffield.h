@@ -148,12 +148,12 @@ bool parse_ffield(Field_file_parser& parser, Field_of_vectors<TriangleMesh>& fie
 /// After the frames that the field was to follow come sections: `crossfield_angles`, one angle per facet, relative to the
 /// halfedge that points to the facet's first vertex; `fixed` and `fixed_vertices`, which are skipped; and `matchings`,
 /// `MI_matchings` or the same with `_and_sharp`: per facet its three vertices and the matchings of the halfedges that
-/// point to them. Those of `matchings` have the opposite sign.
+/// point to them. Those of `matchings` have the opposite sign. What follows is not read.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam CrossFieldMap a model of `WritablePropertyMap` from faces to three-dimensional vectors, which are
 ///         constructible from three `double`s
 /// \tparam HalfedgeMatchingMap a model of `WritablePropertyMap` from halfedges to integers
-/// \param input the text; it is read to its end
+/// \param input the text
 /// \param mesh the mesh that the field is for, its faces and vertices in the order of the file; borders are allowed
 /// \param cross_field receives *the* direction of each facet, of length 1
 /// \param matching receives the matchings, in the sense of the named parameter `halfedge_matching_map` of
