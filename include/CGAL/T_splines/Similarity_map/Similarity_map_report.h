@@ -66,9 +66,10 @@ struct Similarity_map_report {
   int mantissa_bits = 53;               ///< precision of the number type in which the residual was evaluated at the end
 
   vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< where the residual is largest, if at a vertex
-  std::size_t loop = no_loop;           ///< where the residual is largest, or the loop that limits, if a loop
+  std::size_t loop = no_loop;           ///< where the residual is largest, if at a loop
   face_descriptor face = boost::graph_traits<TriangleMesh>::null_face(); ///< LAYOUT_FAILED: the input face that contains a triangle which is not positively oriented
-  double period_ratio = 0;              ///< SIGNATURE_OUT_OF_REACH: largest found |scale period| / hyperbolic length of a loop
+  double scale_period = 0;              ///< if the residual stayed large: of the scanned short loops, the one closest to its limit has this logarithm of a scale factor
+  double hyperbolic_length = 0;         ///< and this hyperbolic length, which must stay larger in absolute value
 
   bool success() const { return status == Similarity_map_status::CONVERGED; }
 };

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Cross_field/check_holonomy_signature.h>
 #include <CGAL/T_splines/Progress_visitor.h>
 #include <CGAL/T_splines/Similarity_map/Similarity_map_report.h>
+#include <CGAL/T_splines/Similarity_map/internal/Loop_reach.h>
 #include <CGAL/T_splines/Similarity_map/internal/Metric_computation.h>
 #include <CGAL/T_splines/Solver/default_solver.h>
 #include <CGAL/T_splines/named_parameters.h>
@@ -37,6 +38,18 @@ struct Wider_number_type<long double> {
   using type = boost::multiprecision::cpp_bin_float_quad;
 };
 
+/// tells in `report` how close the scale periods of short loops have come to their limit.
+template <typename FT, typename TriangleMesh>
+void look_for_limit(const Metric_computation<FT>& computation, Similarity_map_report<TriangleMesh>& report)
+{
+  constexpr double close = 0.9;
+  const Loop_reach<FT> reach = largest_loop_reach(computation.structure);
+  report.scale_period = reach.period;
+  report.hyperbolic_length = reach.length;
+  if (reach.ratio() > close)
+    report.status = Similarity_map_status::SIGNATURE_OUT_OF_REACH;
+}
+
 /// iterates, in wider number types if the residual of `computation` comes to a floor above the tolerance, and calls
 /// `consume(computation)` with the converged one.
 template <typename FT, typename TriangleMesh, typename FlipPolicy, typename SolverTraits, typename Visitor, typename Consume>
@@ -53,6 +66,8 @@ void iterate_to_convergence(Metric_computation<FT>& computation, const Metric_in
     consume(computation);
     return;
   }
+  if (report.residual >= round_off && flips_by_ptolemy(policy) && report.status != Similarity_map_status::INTERRUPTED)
+    look_for_limit(computation, report);
   using Wider = typename Wider_number_type<FT>::type;
   if constexpr (!std::is_void<Wider>::value) {
     if (report.status == Similarity_map_status::STALLED && report.residual < round_off) {
