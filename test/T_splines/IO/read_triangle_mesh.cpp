@@ -18,6 +18,8 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <ios>
+#include <iterator>
 #include <set>
 #include <string>
 #include <utility>
@@ -142,6 +144,44 @@ TEST_CASE("every bad file is refused with its reason and its place")
   }
   for (const auto& entry : std::filesystem::directory_iterator(data_file("bad_meshes")))
     CHECK(known.count(entry.path().filename().string()) == 1);
+}
+
+TEST_CASE("a file that ends anywhere before its end is refused")
+{
+  const Temporary_directory directory;
+  for (const auto& entry : std::filesystem::directory_iterator(data_file("good_meshes"))) {
+    std::ifstream file(entry.path(), std::ios::binary);
+    const std::string content(std::istreambuf_iterator<char>(file), {});
+    const std::string name = directory.file(entry.path().filename().string());
+    for (std::size_t length = 0; length < content.size(); ++length) {
+      std::ofstream(name, std::ios::binary) << content.substr(0, length);
+      Surface_mesh mesh;
+      const T::Mesh_reading_report report = T::read_triangle_mesh(name, mesh);
+      // What may be missing is the end of the last line, and the name of the solid in an STL file.
+      if (report.success() && content.find_first_not_of(" t\r\n", length) != std::string::npos)
+        FAIL(entry.path() << " is accepted with a length of " << length);
+    }
+  }
+}
+
+TEST_CASE("a file with any byte changed is accepted or refused, and nothing worse")
+{
+  const Temporary_directory directory;
+  for (const auto& entry : std::filesystem::directory_iterator(data_file("good_meshes"))) {
+    std::ifstream file(entry.path(), std::ios::binary);
+    const std::string content(std::istreambuf_iterator<char>(file), {});
+    const std::string name = directory.file(entry.path().filename().string());
+    for (std::size_t i = 0; i < content.size(); ++i)
+      for (const char c : {'\0', '9', '-', '\n', '\xff'}) {
+        std::string changed = content;
+        changed[i] = c;
+        std::ofstream(name, std::ios::binary) << changed;
+        Surface_mesh mesh;
+        const T::Mesh_reading_report report = T::read_triangle_mesh(name, mesh);
+        if (report.success() ? !CGAL::is_closed(mesh) || !CGAL::is_valid_polygon_mesh(mesh) : num_vertices(mesh) != 0)
+          FAIL(entry.path() << " with byte " << i << " changed to " << static_cast<int>(c) << ": " << describe(report));
+      }
+  }
 }
 
 TEST_CASE("what is not a mesh file is refused")

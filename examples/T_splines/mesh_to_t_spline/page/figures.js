@@ -75,12 +75,23 @@ function coneLegend(cones) {
   }));
 }
 
+// One row per scale factor, with the rotations that occur with it.
 function scaleTable(transitions) {
-  const head = element("thead", {}, element("tr", {}, ...["quarter turns", "scale factor s", "cut edges"].map((name, i) =>
-    element("th", { style: i ? "text-align: right" : "" }, name))));
-  const rows = transitions.map(t => element("tr", {}, element("td", { style: "text-align: left" }, String(t.quarter_turns)),
-    element("td", {}, String(+t.scale.toPrecision(10))), element("td", {}, countText(t.edges))));
-  return element("table", {}, head, element("tbody", {}, ...rows));
+  const longest = 24, groups = new Map();
+  for (const { quarter_turns, scale, edges } of transitions) {
+    const text = String(+scale.toPrecision(10)), group = groups.get(text) || { turns: [], edges: 0 };
+    group.turns.push(quarter_turns);
+    group.edges += edges;
+    groups.set(text, group);
+  }
+  const right = { style: "text-align: right" };
+  const head = element("thead", {}, element("tr", {}, element("th", {}, "scale factor s"), element("th", right, "quarter turns"), element("th", right, "cut edges")));
+  const rows = [...groups].slice(0, longest).map(([scale, group]) => element("tr", {}, element("th", { scope: "row" }, scale),
+    element("td", {}, group.turns.sort().join(", ")), element("td", {}, countText(group.edges))));
+  const result = element("div", {}, element("table", {}, head, element("tbody", {}, ...rows)));
+  if (groups.size > longest)
+    result.append(note(`and ${groups.size - longest} more, in report.json.`));
+  return result;
 }
 
 // The figures of the map as it is on this page, measured from its triangles.

@@ -122,12 +122,31 @@ function quantile(values, q) {
   return sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))];
 }
 
+// The logarithm of the cell size, near the given one, for which the least area lies where the pattern fades from one power of two to the
+// next: half way between them.
+function bestOffset(mesh, measure, scale, cell) {
+  const bins = 64, width = 14, weight = new Float64Array(bins), offset = Math.log2(cell);
+  for (let t = 0; t < measure.area.length; ++t) {
+    const level = scale[mesh.triangles[3 * t]] + offset;
+    weight[Math.floor((level - Math.floor(level)) * bins) % bins] += measure.area[t];
+  }
+  let best = 0, least = Infinity;
+  for (let shift = -bins / 2; shift < bins / 2; ++shift) {
+    let sum = 0;
+    for (let i = 0; i < width; ++i)
+      sum += weight[(((bins - width) / 2 + i - shift) % bins + bins) % bins];
+    if (sum < least || (sum === least && Math.abs(shift) < Math.abs(best)))
+      [best, least] = [shift, sum];
+  }
+  return offset + best / bins;
+}
+
 // What the surface is drawn from, per corner. The uv of a triangle is relative to an origin of its own, a multiple of 2^8
 // of its cells, and in units of a power of two near its cell: so single precision does however far the sizes in
 // the plane are apart, and neighbouring triangles still continue each other's pattern.
 function surfaceBuffers(mesh, measure, cell) {
   const corners = mesh.triangles.length, { uv, triangles } = mesh;
-  const scale = logScales(mesh, measure), offset = Math.log2(cell);
+  const scale = logScales(mesh, measure), offset = bestOffset(mesh, measure, scale, cell);
   const buffers = {
     position: new Float32Array(3 * corners), normal: cornerNormals(mesh, measure), uv: new Float32Array(2 * corners),
     level: new Float32Array(corners), scale: new Float32Array(corners), dilatation: new Float32Array(corners),

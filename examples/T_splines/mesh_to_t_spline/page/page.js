@@ -155,7 +155,7 @@ function start() {
     return;
   }
   const area = measure.area.reduce((sum, a) => sum + a, 0);
-  const buffers = surfaceBuffers(mesh, measure, Math.sqrt(area / 2600));
+  const buffers = surfaceBuffers(mesh, measure, Math.sqrt(area / (measure.area.length > 40000 ? 5000 : 2800)));
   const cones = report.signature.cones.map(cone => ({ ...cone, center: [...mesh.positions.subarray(3 * cone.vertex, 3 * cone.vertex + 3)] }));
   renderer.setSurface(buffers);
   renderer.setCut(cutSegments(mesh));
@@ -163,10 +163,10 @@ function start() {
     new Float32Array(cones.flatMap(cone => colorComponents(coneColor(cone.quarter_turns)))));
 
   const options = optionsFromAddress({ mode: 0, wire: 0, cut: true, cones: true, cellOctaves: 0,
-    coneRadius: Math.min(0.02, 0.28 * Math.sqrt(area / Math.max(60, cones.length)) / 2) });
+    coneRadius: Math.min(0.016, 0.09 * Math.sqrt(area / Math.max(40, cones.length))) });
   const camera = new Camera(mesh), aspect = () => canvas.clientWidth / Math.max(1, canvas.clientHeight);
   camera.reset(aspect());
-  let requested = false;
+  let requested = false, touched = false;
   const redraw = () => {
     if (!requested)
       requestAnimationFrame(() => { requested = false; renderer.draw(camera, options); });
@@ -183,7 +183,13 @@ function start() {
   });
   canvas.addEventListener("webglcontextlost", event => event.preventDefault());
   canvas.addEventListener("webglcontextrestored", () => location.reload());
-  new ResizeObserver(redraw).observe(canvas);
+  for (const name of ["pointerdown", "wheel", "keydown"])
+    canvas.addEventListener(name, () => { touched = true; });
+  new ResizeObserver(() => {
+    if (!touched)
+      camera.reset(aspect());
+    renderer.draw(camera, options); // at once: until the next frame the old picture would be stretched
+  }).observe(canvas);
 }
 
 start();

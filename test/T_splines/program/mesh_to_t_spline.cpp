@@ -1,0 +1,289 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Program_run.h"
+
+#include <CGAL/T_splines/IO/read_map_obj.h>
+#include <CGAL/T_splines/IO/read_triangle_mesh.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+const std::string data = T_SPLINES_TEST_DATA "/";
+const std::string tetrahedron = data + "good_meshes/tetrahedron.off";
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// Runs the program into a directory that does not exist before, and checks that it does not exist afterwards.
+Program_run failing_run(const std::string& arguments, const std::string& prefix = "")
+{
+  const Temporary_directory directory;
+  const Program_run run(arguments + " -o '" + directory.file("output") + "'", prefix);
+  CAPTURE(arguments, run.errors);
+  CHECK(run.exit_code != 0);
+  CHECK(run.output.empty());
+  CHECK(contains(run.errors, "mesh_to_t_spline: "));
+  CHECK_FALSE(std::filesystem::exists(directory.file("output")));
+  return run;
+}
+
+/// A torus of quadrilaterals with two triangles each, moved and scaled, with all digits.
+void write_torus(const std::string& name, const int n, const double offset, const double scale)
+{
+  std::ofstream file(name);
+  file.precision(17);
+  const double tau = 2 * std::acos(-1.);
+  for (int i = 0; i < 2 * n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double a = tau * i / (2 * n), b = tau * (j + 0.3 * i) / n, r = 2 + 0.7 * std::cos(b);
+      file << "v " << offset + scale * r * std::cos(a) << " " << offset + scale * r * std::sin(a) << " "
+           << offset + scale * 0.7 * std::sin(b) * (1 + 0.2 * std::cos(a)) << "\n";
+    }
+  // one turn around adds 0.6 n to j
+  const auto vertex = [n](const int i, const int j) { return i < 2 * n ? i * n + j % n : (j + 6 * n / 10) % n; };
+  for (int i = 0; i < 2 * n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const int a = vertex(i, j) + 1, b = vertex(i + 1, j) + 1, c = vertex(i + 1, j + 1) + 1, d = vertex(i, j + 1) + 1;
+      file << "f " << a << " " << b << " " << c << "\nf " << a << " " << c << " " << d << "\n";
+    }
+}
+
+/// Checks that a run's directory holds the three files and nothing else, and that the map refines the mesh.
+void check_output(const std::string& directory, const std::string& mesh_file)
+{
+  int number_of_files = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(directory))
+    ++number_of_files;
+  CHECK(number_of_files == 3);
+  CHECK(contains(file_content(directory + "/report.json"), "\"converged\": true"));
+  CHECK(contains(file_content(directory + "/report.html"), "</html>"));
+
+  Mesh input, refined;
+  REQUIRE(CGAL::T_splines::read_triangle_mesh(mesh_file, input).success());
+  const auto uv = refined.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  REQUIRE(CGAL::T_splines::read_map_obj(directory + "/map.obj", refined, uv).success());
+  REQUIRE(refined.number_of_vertices() >= input.number_of_vertices());
+  CHECK(refined.number_of_vertices() - refined.number_of_edges() + refined.number_of_faces()
+        == input.number_of_vertices() - input.number_of_edges() + input.number_of_faces());
+  bool are_points_equal = true, are_triangles_positive = true;
+  for (const Mesh::Vertex_index v : input.vertices())
+    are_points_equal = are_points_equal && input.point(v) == refined.point(v);
+  for (const Mesh::Face_index f : refined.faces()) {
+    const auto h = refined.halfedge(f);
+    are_triangles_positive = are_triangles_positive
+                             && CGAL::left_turn(uv[h], uv[refined.next(h)], uv[refined.prev(h)]);
+  }
+  CHECK(are_points_equal);
+  CHECK(are_triangles_positive);
+}
+
+} // namespace
+
+TEST_CASE("help and version")
+{
+  const Program_run help("--help"), version("--version");
+  CHECK(help.exit_code == 0);
+  CHECK(contains(help.output, "Usage: mesh_to_t_spline MESH"));
+  CHECK(version.exit_code == 0);
+  CHECK(contains(version.output, "mesh_to_t_spline 0."));
+}
+
+TEST_CASE("bad usage is refused with exit code 2")
+{
+  const std::vector<std::pair<std::string, std::string>> cases = {
+    {"", "no mesh"},
+    {"a.off b.off", "more than one mesh"},
+    {"a.off --colour", "unknown option --colour"},
+    {"a.off --solver lu", "--solver needs one of ldlt, cholmod"},
+    {"a.off --flips", "--flips needs a value"},
+    {"a.off --quiet=yes", "--quiet takes no value"},
+    {"a.off --max-iterations 0", "--max-iterations needs an integer of at least 1"},
+    {"a.off --tolerance-residual=nan", "--tolerance-residual needs a positive number"},
+    {"a.off --cones a.cones --loops 1,x", "--loops needs integers separated by commas"},
+    {"a.off --loops 1,2", "--loops goes with --cones"},
+    {"a.off --field a.rawfield --cones a.cones", "--field and --cones exclude each other"},
+    {"a.off --field a.rawfield --align-curvature 1", "--align-curvature is for the computed field"}};
+  for (const auto& [arguments, message] : cases) {
+    const Program_run run(arguments);
+    CAPTURE(arguments, run.errors);
+    CHECK(run.exit_code == 2);
+    CHECK(contains(run.errors, message));
+    CHECK(run.output.empty());
+  }
+  const Temporary_directory directory;
+  std::ofstream(directory.file("file")) << "x";
+  const Program_run run(tetrahedron + " -o '" + directory.file("file/output") + "'");
+  CHECK(run.exit_code == 2);
+  CHECK(contains(run.errors, "is not a directory"));
+}
+
+TEST_CASE("every bad mesh file is refused with its name, exit code 2, and nothing is written")
+{
+  for (const auto& entry : std::filesystem::directory_iterator(data + "bad_meshes")) {
+    Mesh mesh;
+    const auto report = CGAL::T_splines::read_triangle_mesh(entry.path().string(), mesh);
+    const Program_run run = failing_run("'" + entry.path().string() + "'");
+    CAPTURE(entry.path(), run.errors);
+    CHECK(run.exit_code == 2);
+    CHECK(contains(run.errors, entry.path().string() + ": " + describe(report)));
+  }
+  CHECK(failing_run("no_such_file.off").exit_code == 2);
+}
+
+TEST_CASE("every bad cone or field file is refused with its name, exit code 2, and nothing is written")
+{
+  const std::vector<std::pair<std::string, std::string>> cases = {
+    {"gauss_bonnet.cones", "is 2 instead of 8 (off by -6)"},
+    {"duplicate.cones", "line 3: a vertex is listed as a cone twice (vertex 0"},
+    {"out_of_range.cones", "line 2: an index is out of range: the mesh has no such vertex (vertex 4"},
+    {"negative_index.cones", "line 2: an index is out of range: the mesh has no such vertex (vertex -1"},
+    {"zero.cones", "vertex 0, counted from 0, has k = 0"},
+    {"negative.cones", "vertex 1, counted from 0, has k = -2"},
+    {"truncated.cones", "truncated"},
+    {"word.cones", "line 2: the file does not follow its format here"},
+    {"wrong_count.Th_hat", "3 instead of 4"},
+    {"no_quarter_turn.Th_hat", "not a multiple of a quarter turn (vertex 2"},
+    {"no_such_file.cones", "the file cannot be read"},
+    {"cones.txt", "the file format is not known"},
+    {"wrong_count.rawfield", "3 instead of 4"},
+    {"truncated.rawfield", "truncated"},
+    {"two_directions.rawfield", "2 instead of 4"},
+    {"zero_vector.rawfield", "a vector is zero (element 2"},
+    {"not_tangent.rawfield", "not tangent to its face (element 2"},
+    {"nan.rawfield", "a number is not finite (element 1"},
+    {"no_such_file.rosy", "the file cannot be read"},
+    {"field.txt", "the file format is not known"}};
+  std::set<std::string> known;
+  for (const auto& [name, message] : cases) {
+    known.insert(name);
+    const bool is_field = contains(name, "field") || contains(name, "rosy");
+    const std::string file = data + "bad_guidance/" + name;
+    const Program_run run = failing_run(tetrahedron + (is_field ? " --field '" : " --cones '") + file + "'");
+    CAPTURE(name, run.errors);
+    CHECK(run.exit_code == 2);
+    CHECK(contains(run.errors, file + ": "));
+    CHECK(contains(run.errors, message));
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(data + "bad_guidance"))
+    CHECK(known.count(entry.path().filename().string()) == 1);
+}
+
+TEST_CASE("turning numbers must be as many as loops")
+{
+  const Temporary_directory directory;
+  write_torus(directory.file("torus.obj"), 10, 0, 1);
+  std::ofstream(directory.file("none.cones"));
+  const std::string arguments = "'" + directory.file("torus.obj") + "' --cones '" + directory.file("none.cones") + "' --loops ";
+  const Program_run run = failing_run(arguments + "1");
+  CHECK(run.exit_code == 2);
+  CHECK(contains(run.errors, "is 1 instead of 2"));
+  const Program_run good(arguments + "0,0 -o '" + directory.file("output") + "'");
+  CAPTURE(good.errors);
+  CHECK(good.exit_code == 0);
+  check_output(directory.file("output"), directory.file("torus.obj"));
+}
+
+TEST_CASE("a computation that does not end well has exit code 1 and writes nothing")
+{
+  const Temporary_directory directory;
+  write_torus(directory.file("torus.obj"), 20, 0, 1);
+  const Program_run run = failing_run("'" + directory.file("torus.obj") + "' --max-iterations 1");
+  CHECK(run.exit_code == 1);
+  CHECK(contains(run.errors, "the iteration limit was reached"));
+}
+
+TEST_CASE("a disk that is full leaves nothing behind")
+{
+  const Temporary_directory directory;
+  std::filesystem::create_directory(directory.file("output"));
+  std::ofstream(directory.file("output/map.obj")) << "old";
+  const std::string cube = data + "good_meshes/cube.obj";
+  const Program_run run("'" + cube + "' -o '" + directory.file("output") + "'", "ulimit -f 4;");
+  CAPTURE(run.errors);
+  CHECK(run.exit_code == 1);
+  CHECK(contains(run.errors, "cannot write " + directory.file("output")));
+  CHECK(file_content(directory.file("output/map.obj")) == "old");
+  int number_of_files = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(directory.file("output")))
+    ++number_of_files;
+  CHECK(number_of_files == 1);
+}
+
+TEST_CASE("an interrupted run has exit code 130 and leaves nothing behind")
+{
+  const Temporary_directory directory;
+  write_torus(directory.file("torus.obj"), 300, 0, 1);
+  const Program_run run = failing_run("'" + directory.file("torus.obj") + "'", "timeout --signal=INT --preserve-status 1");
+  CAPTURE(run.errors);
+  CHECK(run.exit_code == 130);
+}
+
+TEST_CASE("a good mesh gives the map and the report")
+{
+  const Temporary_directory directory;
+  const std::string cube = data + "good_meshes/cube.obj", output = directory.file("a/b");
+  const Program_run run("'" + cube + "' -o '" + output + "'");
+  CAPTURE(run.errors);
+  REQUIRE(run.exit_code == 0);
+  CHECK(contains(run.errors, "note: 6 of 6 faces are not triangles"));
+  CHECK(contains(run.output, "8 vertices, 12 faces, genus 0"));
+  CHECK(contains(run.output, "converged"));
+  check_output(output, cube);
+
+  // The page is self-contained: it names no other place. (The name space of SVG is a name.)
+  std::string page = file_content(output + "/report.html");
+  const std::string svg = "http://www.w3.org/2000/svg";
+  REQUIRE(contains(page, svg));
+  page.erase(page.find(svg), svg.size());
+  for (const char* part : {"http:", "https:", "src=", "@import", "fetch("})
+    CHECK_FALSE(contains(page, part));
+
+  const Program_run quiet("'" + cube + "' --quiet -o '" + output + "'");
+  CHECK(quiet.exit_code == 0);
+  CHECK(quiet.output.empty());
+  CHECK(quiet.errors.empty());
+  check_output(output, cube);
+}
+
+TEST_CASE("solvers, flip policies and number types")
+{
+  const Temporary_directory directory;
+  const std::string mesh = directory.file("torus.obj"), output = directory.file("output");
+  write_torus(mesh, 10, 0, 1);
+  for (const char* option : {"--flips degeneracy", "--flips degeneracy-only", "--precision extended", "--precision quad"}) {
+    const Program_run run("'" + mesh + "' " + option + " -o '" + output + "'");
+    CAPTURE(option, run.errors);
+    CHECK(run.exit_code == 0);
+    check_output(output, mesh);
+  }
+  const Program_run cholmod("'" + mesh + "' --solver cholmod -o '" + output + "'");
+  CHECK((cholmod.exit_code == 0 || contains(cholmod.errors, "built without CHOLMOD")));
+}
+
+TEST_CASE("a far offset and a tiny scale make no difference")
+{
+  for (const auto& [offset, scale] : {std::pair(1e7, 1.), std::pair(0., 1e-9), std::pair(0., 1e9)}) {
+    const Temporary_directory directory;
+    const std::string mesh = directory.file("torus.obj");
+    write_torus(mesh, 20, offset, scale);
+    const Program_run run("'" + mesh + "' -o '" + directory.file("output") + "'");
+    CAPTURE(offset, scale, run.errors);
+    REQUIRE(run.exit_code == 0);
+    check_output(directory.file("output"), mesh);
+  }
+}
