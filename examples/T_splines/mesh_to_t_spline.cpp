@@ -49,7 +49,8 @@ bool read_mesh(const Options& options, Mesh& mesh, Figures::Input& figures, Outc
   auto component = mesh.add_property_map<Face, std::size_t>("f:component").first;
   figures.components = CGAL::Polygon_mesh_processing::connected_components(mesh, component);
   mesh.remove_property_map(component);
-  const long characteristic = static_cast<long>(figures.vertices) - static_cast<long>(figures.edges) + static_cast<long>(figures.faces);
+  const long characteristic =
+    static_cast<long>(figures.vertices) - static_cast<long>(figures.edges) + static_cast<long>(figures.faces);
   figures.genus = static_cast<long>(figures.components) - characteristic / 2;
   return true;
 }

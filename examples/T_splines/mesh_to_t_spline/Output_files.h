@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/IO/internal/Atomic_file.h>
 #include <CGAL/T_splines/IO/write_map_obj.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -55,8 +56,9 @@ inline std::string write_output_files(const std::filesystem::path& directory, co
   CGAL::T_splines::internal::format_map_obj(map_sink, refined.mesh, refined.uv, refined.mesh.points());
   const std::string report = figures_as_json(figures);
   json_file.write(report);
-  write_report_page(page_sink, report, page_mesh(refined.mesh, refined.mesh.points(), refined.uv, Input_edge_finder(input, refined),
-                                                 [&refined](const Edge e) { return refined.is_cut[e]; }));
+  const auto is_cut = [&refined](const Edge e) { return refined.is_cut[e]; };
+  write_report_page(page_sink, report,
+                    page_mesh(refined.mesh, refined.mesh.points(), refined.uv, Input_edge_finder(input, refined), is_cut));
   const auto failure = [](const Atomic_file& file) {
     return "cannot write " + file.path().string() + ": " + std::generic_category().message(file.error());
   };

@@ -10,6 +10,7 @@
 #include <iomanip>
 #include <map>
 #include <ostream>
+#include <vector>
 
 inline void print_cones(std::ostream& out, const Figures::Signature& signature)
 {
@@ -31,6 +32,25 @@ inline void print_cones(std::ostream& out, const Figures::Signature& signature)
   out << "\n";
 }
 
+/// The scale factors of the transitions, or how many there are and how large.
+inline void print_scales(std::ostream& out, const std::vector<Figures::Transition>& transitions)
+{
+  constexpr std::size_t most = 8;
+  constexpr double tolerance = 1e-9;
+  std::vector<double> scales;
+  for (const Figures::Transition& t : transitions) // sorted by scale
+    if (scales.empty() || t.scale > scales.back() * (1 + tolerance))
+      scales.push_back(t.scale);
+  out << "  scales      " << std::setprecision(8);
+  if (scales.size() > most)
+    out << scales.size() << " factors from " << scales.front() << " to " << scales.back();
+  else if (scales.empty())
+    out << "no cut";
+  else
+    for (const double& s : scales)
+      out << (&s == &scales.front() ? "" : ", ") << s;
+}
+
 /// What the user reads at the end.
 inline void print_summary(std::ostream& out, const Figures& figures)
 {
@@ -45,13 +65,7 @@ inline void print_summary(std::ostream& out, const Figures& figures)
       << " iterations (" << map.halvings << " halved steps, " << map.flips << " flips, " << map.mantissa_bits << " bits)\n";
   out << "  refinement  " << figures.refined.vertices << " vertices, " << figures.refined.faces << " faces, "
       << figures.refined.cut_edges << " cut edges\n";
-  out << "  scales      " << (figures.refined.transitions.empty() ? "no cut" : "");
-  double previous = 0;
-  for (const Figures::Transition& t : figures.refined.transitions) { // sorted by scale
-    if (t.scale > previous * (1 + 1e-9))
-      out << (previous == 0 ? "" : ", ") << std::setprecision(8) << t.scale;
-    previous = t.scale;
-  }
+  print_scales(out, figures.refined.transitions);
   out << "\n  time        " << std::fixed << std::setprecision(2) << figures.seconds << " s";
   const char* separator = " (";
   for (const Figures::Stage& stage : figures.stages) {

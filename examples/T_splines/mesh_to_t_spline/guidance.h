@@ -130,7 +130,8 @@ inline Guidance_result signature_of_computed_field(const Options& options, Mesh&
   const auto report = CGAL::T_splines::compute_smooth_cross_field(mesh, field, np);
   if (!report.success())
     return {options.mesh + ": cross field: " + message(report.status), false};
-  return take_signature(options.mesh + ": computed cross field", mesh, field, false, CGAL::parameters::default_values(), signature);
+  return take_signature(options.mesh + ": computed cross field", mesh, field, false, CGAL::parameters::default_values(),
+                        signature);
 }
 
 inline bool ends_with(const std::string& text, const std::string& end)

@@ -113,8 +113,8 @@ Page_mesh page_mesh(const FaceGraph& mesh, const VertexPointMap vertex_point_map
   return result;
 }
 
-/// Hands the page to `sink`, a function object that takes a `std::string_view`: the template with the files of the folder page and the
-/// data in the places that are marked by `@name@`.
+/// Hands the page to `sink`, a function object that takes a `std::string_view`: the template with the files of the folder page
+/// and the data in the places that are marked by `@name@`.
 template <typename Sink>
 void write_report_page(Sink& sink, const std::string& report_as_json, const Page_mesh& mesh)
 {

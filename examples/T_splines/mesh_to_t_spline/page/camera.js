@@ -22,12 +22,16 @@ class Camera {
   // Looks along the axis of the least extent, y up unless that is the axis, a little from the left and from above.
   static firstRotation(mesh) {
     const low = [0, 0, 0], high = [0, 0, 0];
-    mesh.positions.forEach((x, i) => {
-      low[i % 3] = Math.min(low[i % 3], x);
-      high[i % 3] = Math.max(high[i % 3], x);
-    });
+    for (let i = 0; i < mesh.positions.length; ++i) {
+      low[i % 3] = Math.min(low[i % 3], mesh.positions[i]);
+      high[i % 3] = Math.max(high[i % 3], mesh.positions[i]);
+    }
     const extent = high.map((x, d) => x - low[d]), least = Math.min(...extent);
-    const frames = { z: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], x: [[0, 0, -1], [0, 1, 0], [1, 0, 0]], y: [[1, 0, 0], [0, 0, 1], [0, -1, 0]] };
+    const frames = {
+      z: [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+      x: [[0, 0, -1], [0, 1, 0], [1, 0, 0]],
+      y: [[1, 0, 0], [0, 0, 1], [0, -1, 0]]
+    };
     const frame = extent[2] <= 1.2 * least ? frames.z : extent[0] <= 1.2 * least ? frames.x : frames.y;
     const turn = axisRotation([0, 1, 0], -0.55), nod = axisRotation([1, 0, 0], 0.35);
     return multiply(nod, multiply(turn, frame));
@@ -37,18 +41,18 @@ class Camera {
   reset(aspect) {
     this.rotation = this.home;
     const half = Math.tan(this.fieldOfView / 2);
-    const bound = (rows, scale) => {
+    const p = this.mesh.positions;
+    const bound = (row, scale) => {
       let low = Infinity, high = -Infinity;
-      for (let i = 0; i < this.mesh.positions.length; i += 3) {
-        const p = this.mesh.positions;
-        const x = rows[0] * p[i] + rows[1] * p[i + 1] + rows[2] * p[i + 2];
+      for (let i = 0; i < p.length; i += 3) {
+        const x = row[0] * p[i] + row[1] * p[i + 1] + row[2] * p[i + 2];
         low = Math.min(low, x);
         high = Math.max(high, x);
       }
       return { middle: (low + high) / 2, size: (high - low) / scale };
     };
-    const [x, y, z] = [bound(this.rotation[0], half * aspect), bound(this.rotation[1], half), bound(this.rotation[2], 1)];
-    this.pivot = [0, 1, 2].map(d => this.rotation[0][d] * x.middle + this.rotation[1][d] * y.middle + this.rotation[2][d] * z.middle);
+    const r = this.rotation, x = bound(r[0], half * aspect), y = bound(r[1], half), z = bound(r[2], 1);
+    this.pivot = [0, 1, 2].map(d => r[0][d] * x.middle + r[1][d] * y.middle + r[2][d] * z.middle);
     this.distance = 1.12 * Math.max(x.size, y.size) / 2 + 0.5 * z.size;
   }
 
@@ -57,8 +61,9 @@ class Camera {
     if (angle > 0)
       this.rotation = multiply(axisRotation([dy / angle, dx / angle, 0], angle), this.rotation);
     // Round-off would shear the model in time.
-    const [a, b] = this.rotation, n = Math.hypot(...a), x = a.map(v => v / n);
-    const d = b[0] * x[0] + b[1] * x[1] + b[2] * x[2], o = b.map((v, i) => v - d * x[i]), m = Math.hypot(...o), y = o.map(v => v / m);
+    const unit = v => v.map(a => a / Math.hypot(...v));
+    const x = unit(this.rotation[0]), b = this.rotation[1], d = b[0] * x[0] + b[1] * x[1] + b[2] * x[2];
+    const y = unit(b.map((v, i) => v - d * x[i]));
     this.rotation = [x, y, [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]];
   }
 
@@ -73,7 +78,8 @@ class Camera {
   view() {
     const r = this.rotation, p = this.pivot;
     const t = r.map(row => -(row[0] * p[0] + row[1] * p[1] + row[2] * p[2]));
-    return [r[0][0], r[1][0], r[2][0], 0, r[0][1], r[1][1], r[2][1], 0, r[0][2], r[1][2], r[2][2], 0, t[0], t[1], t[2] - this.distance, 1];
+    return [r[0][0], r[1][0], r[2][0], 0, r[0][1], r[1][1], r[2][1], 0, r[0][2], r[1][2], r[2][2], 0,
+            t[0], t[1], t[2] - this.distance, 1];
   }
 
   projection(aspect) {

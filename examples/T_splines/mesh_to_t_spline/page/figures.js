@@ -22,8 +22,9 @@ function shortNumber(x) {
 function seconds(s) { return s < 0.0995 ? (1000 * s).toFixed(s < 0.00995 ? 1 : 0) + " ms" : s.toFixed(2) + " s"; }
 
 function table(rows) {
-  return element("table", {}, element("tbody", {}, ...rows.map(([name, value]) =>
-    element("tr", {}, element("th", { scope: "row" }, name), element("td", {}, typeof value === "number" ? shortNumber(value) : value)))));
+  const row = ([name, value]) => element("tr", {}, element("th", { scope: "row" }, name),
+    element("td", {}, typeof value === "number" ? shortNumber(value) : value));
+  return element("table", {}, element("tbody", {}, ...rows.map(row)));
 }
 
 function section(title, ...children) { return element("section", {}, element("h2", {}, title), ...children); }
@@ -37,17 +38,21 @@ function residualPlot(history, tolerance) {
   const high = Math.ceil(Math.max(...logs, 0)), low = Math.floor(Math.min(...logs, Math.log10(tolerance)) - 0.3);
   const x = i => left + (width - left - right) * i / Math.max(1, logs.length - 1);
   const y = l => top + (height - top - bottom) * (high - l) / (high - low);
-  const svg = element("svg", { viewBox: `0 0 ${width} ${height}`, width: "100%", role: "img", "aria-label": "Residual after each iteration" });
+  const svg = element("svg", {
+    viewBox: `0 0 ${width} ${height}`, width: "100%", role: "img", "aria-label": "Residual after each iteration"
+  });
+  const horizontal = (name, l) => element("line", { class: name, x1: left, x2: width - right, y1: y(l), y2: y(l) });
   const step = Math.max(1, Math.ceil((high - low) / 6));
   for (let l = high; l >= low; l -= step) {
-    svg.append(element("line", { class: "axis", x1: left, x2: width - right, y1: y(l), y2: y(l) }));
+    svg.append(horizontal("axis", l));
     svg.append(element("text", { x: left - 6, y: y(l) + 4, "text-anchor": "end" }, `1e${l}`));
   }
   const stride = Math.max(1, Math.ceil(logs.length / 10));
   for (let i = 0; i < logs.length; i += stride)
     svg.append(element("text", { x: x(i), y: height - 7, "text-anchor": "middle" }, String(i)));
-  svg.append(element("line", { class: "goal", x1: left, x2: width - right, y1: y(Math.log10(tolerance)), y2: y(Math.log10(tolerance)) }));
-  svg.append(element("path", { class: "curve", d: logs.map((l, i) => `${i ? "L" : "M"}${x(i).toFixed(1)} ${y(l).toFixed(1)}`).join("") }));
+  svg.append(horizontal("goal", Math.log10(tolerance)));
+  const points = logs.map((l, i) => `${x(i).toFixed(1)} ${y(l).toFixed(1)}`);
+  svg.append(element("path", { class: "curve", d: `M${points.join("L")}` }));
   if (logs.length < 60)
     logs.forEach((l, i) => svg.append(element("circle", { class: "dot", cx: x(i), cy: y(l), r: 2.6 })));
   return svg;
@@ -70,8 +75,8 @@ function coneLegend(cones) {
   if (counts.size === 0)
     return note("None: the surface is flat everywhere in the map's metric.");
   return table([...counts].sort((a, b) => a[0] - b[0]).map(([k, count]) => {
-    const label = element("span", {}, element("span", { class: "swatch", style: `background: ${coneColor(k)}` }), `k = ${k}, angle ${90 * k}°`);
-    return [label, countText(count)];
+    const swatch = element("span", { class: "swatch", style: `background: ${coneColor(k)}` });
+    return [element("span", {}, swatch, `k = ${k}, angle ${90 * k}°`), countText(count)];
   }));
 }
 
@@ -85,9 +90,11 @@ function scaleTable(transitions) {
     groups.set(text, group);
   }
   const right = { style: "text-align: right" };
-  const head = element("thead", {}, element("tr", {}, element("th", {}, "scale factor s"), element("th", right, "quarter turns"), element("th", right, "cut edges")));
-  const rows = [...groups].slice(0, longest).map(([scale, group]) => element("tr", {}, element("th", { scope: "row" }, scale),
-    element("td", {}, group.turns.sort().join(", ")), element("td", {}, countText(group.edges))));
+  const head = element("thead", {}, element("tr", {}, element("th", {}, "scale factor s"),
+    element("th", right, "quarter turns"), element("th", right, "cut edges")));
+  const rows = [...groups].slice(0, longest).map(([scale, group]) => element("tr", {},
+    element("th", { scope: "row" }, scale), element("td", {}, group.turns.sort().join(", ")),
+    element("td", {}, countText(group.edges))));
   const result = element("div", {}, element("table", {}, head, element("tbody", {}, ...rows)));
   if (groups.size > longest)
     result.append(note(`and ${groups.size - longest} more, in report.json.`));
@@ -109,30 +116,49 @@ function mapQuality(measure) {
   return { mean: weighted / total, worst, flipped };
 }
 
-function showFigures(report, measure) {
-  const { input, signature, map, refined } = report;
+function showVerdict({ input, signature, map }) {
   document.title = `${input.name}: seamless similarity map`;
   document.getElementById("title").textContent = input.name;
-  const verdict = document.getElementById("verdict");
-  verdict.append(element("span", { class: map.converged ? "good" : "bad" }, map.status),
-    `  ·  residual ${shortNumber(map.residual)}  ·  ${map.iterations} iterations  ·  genus ${input.genus}  ·  ${countText(signature.cones.length)} cones`);
-  const figures = document.getElementById("figures");
-  const cut = element("span", { class: "note" }, element("span", { class: "stroke" }), "the cut: directions continue across it, the positions of the cells need not");
-  figures.append(section("Cones", coneLegend(signature.cones), note(`Signature: ${signature.source}.`), cut));
-  figures.append(section("Convergence", residualPlot(map.residual_history, map.tolerance),
-    table([["largest residual (radians)", map.residual], ["iterations", map.iterations], ["halved steps", map.halvings],
-           ["factorizations", map.factorizations], ["linear solves", map.linear_iterations],
-           ["flips to intrinsic Delaunay", map.delaunay_flips], ["flips on the way", map.flips], ["mantissa bits", map.mantissa_bits]])));
-  figures.append(section("Time", stageBars(report.stages),
-    note(`${seconds(report.seconds)} in all` + (report.peak_memory_bytes ? `, ${(report.peak_memory_bytes / 2 ** 20).toFixed(0)} MB at most` : ""))));
-  const quality = measure ? mapQuality(measure) : null;
-  figures.append(section("Mesh", table([
+  document.getElementById("verdict").append(element("span", { class: map.converged ? "good" : "bad" }, map.status),
+    ["", `residual ${shortNumber(map.residual)}`, `${map.iterations} iterations`, `genus ${input.genus}`,
+     `${countText(signature.cones.length)} cones`].join("  ·  "));
+}
+
+function conesSection(signature) {
+  const cut = element("p", { class: "note" }, element("span", { class: "stroke" }),
+    "the cut: directions continue across it, the positions of the cells need not");
+  return section("Cones", coneLegend(signature.cones), note(`Signature: ${signature.source}.`), cut);
+}
+
+function convergenceSection(map) {
+  return section("Convergence", residualPlot(map.residual_history, map.tolerance), table([
+    ["largest residual (radians)", map.residual], ["iterations", map.iterations], ["halved steps", map.halvings],
+    ["factorizations", map.factorizations], ["linear solves", map.linear_iterations],
+    ["flips to intrinsic Delaunay", map.delaunay_flips], ["flips on the way", map.flips], ["mantissa bits", map.mantissa_bits]]));
+}
+
+function meshSection({ input, refined }, measure) {
+  const rows = [
     ["input vertices", input.vertices], ["input faces", input.faces], ["genus", input.genus], ["components", input.components],
     ["refined vertices", refined.vertices], ["refined faces", refined.faces], ["cut edges", refined.cut_edges],
-    ["largest / smallest scale", refined.scale_range]].concat(quality ? [
-    ["flipped triangles", quality.flipped], ["dilatation, mean", +quality.mean.toPrecision(5)], ["dilatation, worst", +quality.worst.toPrecision(5)]] : []))));
-  if (report.input.note)
-    figures.lastChild.append(note(report.input.note));
-  const loops = signature.loops.length ? `Turning numbers of the ${signature.loops.length} loops: ${signature.loops.join(", ")}.` : "No loops: every closed curve is contractible.";
-  figures.append(section("Transitions across the cut", refined.transitions.length ? scaleTable(refined.transitions) : note("No cut."), note(loops)));
+    ["largest / smallest scale", refined.scale_range]];
+  if (measure) {
+    const quality = mapQuality(measure);
+    rows.push(["flipped triangles", quality.flipped], ["dilatation, mean", +quality.mean.toPrecision(5)],
+      ["dilatation, worst", +quality.worst.toPrecision(5)]);
+  }
+  return section("Mesh", table(rows), ...(input.note ? [note(input.note)] : []));
+}
+
+function showFigures(report, measure) {
+  const { signature, map, refined } = report;
+  const memory = report.peak_memory_bytes ? `, ${(report.peak_memory_bytes / 2 ** 20).toFixed(0)} MB at most` : "";
+  const loops = signature.loops.length ? `Turning numbers of the ${signature.loops.length} loops: ${signature.loops.join(", ")}.`
+                                       : "No loops: every closed curve is contractible.";
+  showVerdict(report);
+  document.getElementById("figures").append(
+    conesSection(signature), convergenceSection(map),
+    section("Time", stageBars(report.stages), note(`${seconds(report.seconds)} in all${memory}`)),
+    meshSection(report, measure),
+    section("Transitions across the cut", refined.transitions.length ? scaleTable(refined.transitions) : note("No cut."), note(loops)));
 }

@@ -30,25 +30,24 @@ function measureTriangles(mesh) {
   const area = new Float64Array(count), uvArea = new Float64Array(count);
   const dilatation = new Float32Array(count), normals = new Float32Array(3 * count);
   for (let t = 0; t < count; ++t) {
-    const [i, j, k] = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]];
-    const [a, b, c] = [3 * uvVertices[i], 3 * uvVertices[j], 3 * uvVertices[k]];
-    const p = [0, 1, 2].map(d => positions[b + d] - positions[a + d]);
-    const q = [0, 1, 2].map(d => positions[c + d] - positions[a + d]);
-    const n = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
-    const twice = Math.hypot(...n);
-    const length = Math.hypot(...p) || 1e-30;
-    // p = (length, 0) and q = (x, y) in the plane of the triangle; the map sends them to r and s.
-    const x = (p[0] * q[0] + p[1] * q[1] + p[2] * q[2]) / length, y = twice / length || 1e-30;
-    const r = [(uv[2 * j] - uv[2 * i]) / length, (uv[2 * j + 1] - uv[2 * i + 1]) / length];
-    const s = [0, 1].map(d => (uv[2 * k + d] - uv[2 * i + d] - x * r[d]) / y);
-    const det = r[0] * s[1] - r[1] * s[0];
-    const sum = r[0] * r[0] + r[1] * r[1] + s[0] * s[0] + s[1] * s[1];
+    const i = triangles[3 * t], j = triangles[3 * t + 1], k = triangles[3 * t + 2];
+    const a = 3 * uvVertices[i], b = 3 * uvVertices[j], c = 3 * uvVertices[k];
+    const px = positions[b] - positions[a], py = positions[b + 1] - positions[a + 1], pz = positions[b + 2] - positions[a + 2];
+    const qx = positions[c] - positions[a], qy = positions[c + 1] - positions[a + 1], qz = positions[c + 2] - positions[a + 2];
+    const nx = py * qz - pz * qy, ny = pz * qx - px * qz, nz = px * qy - py * qx;
+    const twice = Math.sqrt(nx * nx + ny * ny + nz * nz) || 1e-30, length = Math.sqrt(px * px + py * py + pz * pz) || 1e-30;
+    // The sides are (length, 0) and (x, y) in the plane of the triangle; the map sends the unit vectors to r and s.
+    const x = (px * qx + py * qy + pz * qz) / length, y = twice / length;
+    const ru = (uv[2 * j] - uv[2 * i]) / length, rv = (uv[2 * j + 1] - uv[2 * i + 1]) / length;
+    const su = (uv[2 * k] - uv[2 * i] - x * ru) / y, sv = (uv[2 * k + 1] - uv[2 * i + 1] - x * rv) / y;
+    const det = ru * sv - rv * su, sum = ru * ru + rv * rv + su * su + sv * sv;
     const root = Math.sqrt(Math.max(0, sum * sum - 4 * det * det));
     area[t] = twice / 2;
     uvArea[t] = det * twice / 2;
-    dilatation[t] = det > 0 ? Math.sqrt((sum + root) / Math.max(sum - root, 1e-300)) : Infinity;
-    for (let d = 0; d < 3; ++d)
-      normals[3 * t + d] = n[d] / (twice || 1e-30);
+    dilatation[t] = det > 0 ? (sum + root) / (2 * det) : Infinity; // = sqrt((sum + root) / (sum - root))
+    normals[3 * t] = nx / twice;
+    normals[3 * t + 1] = ny / twice;
+    normals[3 * t + 2] = nz / twice;
   }
   return { area, uvArea, dilatation, normals };
 }
@@ -105,9 +104,10 @@ function cornerNormals(mesh, measure) {
         z += w * normals[s + 2];
       }
     }
-    const length = Math.hypot(x, y, z);
-    if (length > 0)
-      result.set([127 * x / length, 127 * y / length, 127 * z / length], 4 * c);
+    const length = Math.sqrt(x * x + y * y + z * z) || 1;
+    result[4 * c] = 127 * x / length;
+    result[4 * c + 1] = 127 * y / length;
+    result[4 * c + 2] = 127 * z / length;
   }
   return result;
 }
@@ -122,8 +122,8 @@ function quantile(values, q) {
   return sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))];
 }
 
-// The logarithm of the cell size, near the given one, for which the least area lies where the pattern fades from one power of two to the
-// next: half way between them.
+// The logarithm of the cell size, near the given one, for which the least area lies where the pattern fades from one power
+// of two to the next: half way between them.
 function bestOffset(mesh, measure, scale, cell) {
   const bins = 64, width = 14, weight = new Float64Array(bins), offset = Math.log2(cell);
   for (let t = 0; t < measure.area.length; ++t) {
@@ -154,18 +154,18 @@ function surfaceBuffers(mesh, measure, cell) {
   };
   const middle = median(scale);
   for (let t = 0; 3 * t < corners; ++t) {
-    const mine = [0, 1, 2].map(i => triangles[3 * t + i]);
-    const octave = Math.round((scale[mine[0]] + scale[mine[1]] + scale[mine[2]]) / 3 + offset);
+    const first = triangles[3 * t];
+    const octave = Math.round((scale[first] + scale[triangles[3 * t + 1]] + scale[triangles[3 * t + 2]]) / 3 + offset);
     const unit = 2 ** octave, period = 256 * unit;
-    const origin = [0, 1].map(d => Math.round(uv[2 * mine[0] + d] / period) * period);
-    for (let i = 0; i < 3; ++i) {
-      const c = 3 * t + i, v = 3 * mesh.uvVertices[mine[i]];
+    const originU = Math.round(uv[2 * first] / period) * period, originV = Math.round(uv[2 * first + 1] / period) * period;
+    for (let c = 3 * t; c < 3 * t + 3; ++c) {
+      const i = triangles[c], v = 3 * mesh.uvVertices[i];
       for (let d = 0; d < 3; ++d)
         buffers.position[3 * c + d] = mesh.positions[v + d];
-      for (let d = 0; d < 2; ++d)
-        buffers.uv[2 * c + d] = (uv[2 * mine[i] + d] - origin[d]) / unit;
-      buffers.level[c] = scale[mine[i]] + offset - octave;
-      buffers.scale[c] = 2 * (scale[mine[i]] - middle);
+      buffers.uv[2 * c] = (uv[2 * i] - originU) / unit;
+      buffers.uv[2 * c + 1] = (uv[2 * i + 1] - originV) / unit;
+      buffers.level[c] = scale[i] + offset - octave;
+      buffers.scale[c] = 2 * (scale[i] - middle);
       buffers.dilatation[c] = Math.min(Math.log2(measure.dilatation[t]), 64);
       buffers.flags[c] = mesh.edgeFlags[t];
     }

@@ -8,9 +8,11 @@ function colorComponents(hex) { return [1, 3, 5].map(i => parseInt(hex.slice(i, 
 
 function icosphere() {
   const g = (1 + Math.sqrt(5)) / 2;
-  const corners = [[-1, g, 0], [1, g, 0], [-1, -g, 0], [1, -g, 0], [0, -1, g], [0, 1, g], [0, -1, -g], [0, 1, -g], [g, 0, -1], [g, 0, 1], [-g, 0, -1], [-g, 0, 1]];
-  const faces = [[0, 11, 5], [0, 5, 1], [0, 1, 7], [0, 7, 10], [0, 10, 11], [1, 5, 9], [5, 11, 4], [11, 10, 2], [10, 7, 6], [7, 1, 8],
-                 [3, 9, 4], [3, 4, 2], [3, 2, 6], [3, 6, 8], [3, 8, 9], [4, 9, 5], [2, 4, 11], [6, 2, 10], [8, 6, 7], [9, 8, 1]];
+  const corners = [[-1, g, 0], [1, g, 0], [-1, -g, 0], [1, -g, 0], [0, -1, g], [0, 1, g],
+                   [0, -1, -g], [0, 1, -g], [g, 0, -1], [g, 0, 1], [-g, 0, -1], [-g, 0, 1]];
+  const faces = [[0, 11, 5], [0, 5, 1], [0, 1, 7], [0, 7, 10], [0, 10, 11], [1, 5, 9], [5, 11, 4],
+                 [11, 10, 2], [10, 7, 6], [7, 1, 8], [3, 9, 4], [3, 4, 2], [3, 2, 6], [3, 6, 8],
+                 [3, 8, 9], [4, 9, 5], [2, 4, 11], [6, 2, 10], [8, 6, 7], [9, 8, 1]];
   const unit = p => { const n = Math.hypot(...p); return p.map(x => x / n); };
   const middle = (p, q) => unit(p.map((x, d) => x + q[d]));
   let triangles = faces.map(face => face.map(i => unit(corners[i])));
@@ -64,7 +66,8 @@ class Renderer {
       gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
       gl.bufferData(gl.ARRAY_BUFFER, attribute.data, gl.STATIC_DRAW);
       gl.enableVertexAttribArray(location);
-      const type = attribute.data instanceof Float32Array ? gl.FLOAT : attribute.data instanceof Int8Array ? gl.BYTE : gl.UNSIGNED_BYTE;
+      const types = { Float32Array: gl.FLOAT, Int8Array: gl.BYTE, Uint8Array: gl.UNSIGNED_BYTE };
+      const type = types[attribute.data.constructor.name];
       const stride = attribute.stride || 0, offset = attribute.offset || 0;
       if (attribute.integer)
         gl.vertexAttribIPointer(location, attribute.size, type, stride, offset);
@@ -96,7 +99,8 @@ class Renderer {
     const sphere = icosphere();
     this.cones = {
       count: centers.length / 3, corners: sphere.length / 3,
-      array: this.vertexArray([{ data: sphere, size: 3 }, { data: centers, size: 3, perInstance: true }, { data: colors, size: 3, perInstance: true }])
+      array: this.vertexArray([
+        { data: sphere, size: 3 }, { data: centers, size: 3, perInstance: true }, { data: colors, size: 3, perInstance: true }])
     };
   }
 
@@ -109,7 +113,8 @@ class Renderer {
 
   draw(camera, options) {
     const gl = this.gl, ratio = Math.min(window.devicePixelRatio || 1, 2);
-    const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio)), height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
+    const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
+    const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
     if (this.canvas.width !== width || this.canvas.height !== height)
       [this.canvas.width, this.canvas.height] = [width, height];
     const aspect = width / height;

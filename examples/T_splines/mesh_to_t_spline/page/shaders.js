@@ -80,7 +80,8 @@ vec3 sequential(float t) {
 void main() {
   vec2 width = max(abs(dFdx(vUv)), abs(dFdy(vUv)));
   vec3 sideWidth = fwidth(vSides);
-  // The pattern's cells have a size of 2^k, the power of two at which they look most alike on the surface; between two powers it fades.
+  // The cells have a size of 2^k, the power of two at which they look most alike on the surface; between two powers the
+  // pattern fades.
   float level = vLevel + cellOctaves, k = floor(level), fade = smoothstep(0.40, 0.60, level - k);
   float fine = exp2(-k), coarse = 0.5 * fine;
   vec3 albedo = vec3(0.90, 0.88, 0.84);
