@@ -66,7 +66,9 @@ Outcome run(const Options& options)
 
   progress.begin_stage("reading");
   Mesh mesh;
-  if (!read_mesh(options, mesh, figures.input, outcome))
+  const bool is_read = read_mesh(options, mesh, figures.input, outcome);
+  progress.end_stage();
+  if (!is_read)
     return outcome;
   if (!figures.input.note.empty() && !options.is_quiet)
     std::cerr << options.mesh << ": note: " << figures.input.note << "\n";

@@ -7,7 +7,8 @@ function scaleLegend(mode, range) {
   legend.hidden = mode !== 2 && mode !== 3;
   if (legend.hidden)
     return;
-  const power = x => x === 0 ? "1" : x < 0 ? "1/" + shortNumber(+(2 ** -x).toPrecision(2)) : shortNumber(+(2 ** x).toPrecision(2));
+  const factor = x => 2 ** x < 1e4 ? String(+(2 ** x).toPrecision(2)) : `1e${Math.round(x * Math.log10(2))}`;
+  const power = x => x < 0 ? `1/${factor(-x)}` : factor(x);
   const colors = mode === 2 ? "rgb(33,89,168), rgb(242,240,232), rgb(189,46,33)" : "rgb(245,242,230), rgb(237,153,77), rgb(115,15,64)";
   const ticks = mode === 2 ? [-range, -range / 2, 0, range / 2, range].map(power) : ["1", "1.41", "2"];
   legend.replaceChildren(
