@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -87,11 +88,11 @@ private:
   // Merges the points of both families on each middle edge by t. A pair closer than round-off can tell apart becomes one point.
   void merge_points()
   {
-    const FT same(1e-11);
     m_begin.assign(1, 0);
     m_rank_of_input.resize(m_on_input.begin(m_middle.number_of_edges()));
     m_rank_of_final.resize(m_on_final.begin(m_middle.number_of_edges()));
     for (int e = 0; e < m_middle.number_of_edges(); ++e) {
+      const FT same = smallest_distance(e);
       int i = m_on_input.begin(e), j = m_on_final.begin(e);
       const int i_end = m_on_input.begin(e + 1), j_end = m_on_final.begin(e + 1);
       while (i < i_end || j < j_end) {
@@ -108,6 +109,20 @@ private:
       }
       m_begin.push_back(static_cast<int>(m_points.size()));
     }
+  }
+
+  // How close, by t, two points on a middle edge may come: on a small surface far from the origin, the round-off of the coordinates decides.
+  double smallest_distance(const int e) const
+  {
+    constexpr double of_computation = 1e-11, at_most = 1e-7;
+    double square = 0, largest = 0;
+    const std::array<double, 3>&p = m_result.point[m_middle.source(2 * e)], &q = m_result.point[m_middle.target(2 * e)];
+    for (int k = 0; k < 3; ++k) {
+      square += (q[k] - p[k]) * (q[k] - p[k]);
+      largest = std::max(largest, std::max(std::abs(p[k]), std::abs(q[k])));
+    }
+    const double of_coordinates = 4 * std::numeric_limits<double>::epsilon() * largest;
+    return std::max(of_computation, of_coordinates < at_most * std::sqrt(square) ? of_coordinates / std::sqrt(square) : at_most);
   }
 
   int node_of_point(const int i) const { return number_of_input_vertices() + i; }
@@ -349,6 +364,10 @@ private:
 
   void subdivide(const int f)
   {
+    if (m_first_begin[f] == m_first_begin[f + 1] && m_second_begin[f] == m_second_begin[f + 1]) {
+      copy_triangle(f);
+      return;
+    }
     lay_boundary(f);
     to_positions(m_first_begin, m_first_chords, f, m_first);
     to_positions(m_second_begin, m_second_chords, f, m_second);
@@ -357,6 +376,22 @@ private:
     find_cells();
     for (std::size_t c = 0; c + 1 < m_cell_begin.size(); ++c)
       triangulate(c);
+  }
+
+  // A middle triangle without chords is a triangle of the input and of the final triangulation.
+  void copy_triangle(const int f)
+  {
+    Triangle triangle;
+    int h = m_middle.halfedge_of_face(f);
+    for (int i = 0; i < 3; ++i, h = m_middle.next(h)) {
+      const int on_final = m_on_final.final_halfedge(h);
+      triangle.node[i] = m_middle.source(h);
+      triangle.uv[i] = to_double(m_layout.position(m_last.previous(on_final)));
+      triangle.input_halfedge[i] = m_on_input.input_halfedge(h);
+      triangle.final_halfedge[i] = on_final;
+    }
+    triangle.input_face = m_input.face(triangle.input_halfedge[0]);
+    m_triangles.push_back(triangle);
   }
 
   // Barycentric coordinates, in the middle triangle, of a boundary position: of the sources of side 1 and side 2.
