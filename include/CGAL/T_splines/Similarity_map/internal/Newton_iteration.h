@@ -72,8 +72,11 @@ private:
       const double residual = static_cast<double>(m_system.residual());
       m_record.residual_history.push_back(residual);
       m_visitor.progress(progress());
-      if (residual <= m_limits.tolerance)
+      if (residual <= m_limits.tolerance) {
+        if (residual > 0.05 * m_limits.tolerance)
+          polish(policy);
         return Similarity_map_status::CONVERGED;
+      }
       if (stall.is_stalled(residual))
         return Similarity_map_status::STALLED;
       if (m_record.iterations >= m_limits.number_of_iterations)
@@ -87,6 +90,25 @@ private:
         return end;
       ++m_record.iterations;
     }
+  }
+
+  // One more step, kept if it is an improvement: closing errors of the layout are larger than the residual by orders of magnitude.
+  template <typename FlipPolicy>
+  void polish(const FlipPolicy& policy)
+  {
+    const Structure converged = m_structure;
+    const std::vector<FT> coefficients = m_coefficients;
+    const FT residual = m_system.residual();
+    const Newton_record record = m_record;
+    if (solve() && step(policy) == Similarity_map_status::CONVERGED && m_system.residual() < residual) {
+      ++m_record.iterations;
+      m_record.residual_history.push_back(static_cast<double>(m_system.residual()));
+      return;
+    }
+    m_structure = converged;
+    m_coefficients = coefficients;
+    m_record = record;
+    m_system.evaluate(m_structure);
   }
 
   // Notices that the residual has come down to its floor: near the solution, quadratic convergence has ended.
@@ -137,7 +159,7 @@ private:
       norm += b * b;
     norm = std::sqrt(norm);
     // Forcing term: a relative error as small as the residual keeps the convergence quadratic.
-    const double tolerance = std::max(1e-10, std::min(0.1, 0.1 * norm));
+    const double tolerance = std::max(1e-10, std::min(0.1, 0.3 * norm));
     m_last_inner_iterations =
       preconditioned_conjugate_gradients(m_system, m_solver, right_hand_side, m_solution, tolerance, 500, m_workspace);
     m_record.linear_iterations += m_last_inner_iterations;
@@ -180,9 +202,9 @@ private:
     double length = std::min(1., 2 * m_step_length);
     for (; length > 1e-12; length /= 2, ++m_record.halvings) {
       set_trial(length);
-      const std::size_t flips =
-        flip_to_delaunay(m_structure, most_flips, [&](const Index h) { m_structure.flip_ptolemy(h); });
-      if (flips <= most_flips && m_system.evaluate(m_structure)) {
+      const std::size_t flips = flip_and_measure(most_flips);
+      if (flips <= most_flips && m_system.has_triangles_only()) {
+        m_system.evaluate_gradient(m_structure);
         const double residual = static_cast<double>(m_system.residual());
         const double slope_after = slope();
         const bool overshoots = slope_after > 1e-3 * std::abs(slope_before) && !(residual <= residual_before / 2);
@@ -202,6 +224,26 @@ private:
     return Similarity_map_status::STALLED;
   }
 
+  // Makes the trial Delaunay. The angles that tell which edges need a flip serve for the gradient too; only those of flipped triangles are
+  // measured again.
+  std::size_t flip_and_measure(const std::size_t most_flips)
+  {
+    m_system.measure(m_structure);
+    m_flipped.clear();
+    const std::size_t flips = flip_to_delaunay(
+      m_structure, most_flips, [this](const Index e) { return m_system.is_clearly_delaunay(m_structure, e); },
+      [this](const Index h) {
+        m_structure.flip_ptolemy(h);
+        m_flipped.push_back(h);
+      });
+    if (flips <= most_flips)
+      for (const Index h : m_flipped) {
+        m_system.measure(m_structure, m_structure.mesh.face(h));
+        m_system.measure(m_structure, m_structure.mesh.face(Triangulation_connectivity::opposite(h)));
+      }
+    return flips;
+  }
+
   // [CZ17] section 7.3: a step to the first degeneracy, and flips there.
   Similarity_map_status step(const Degeneracy_flips& policy)
   {
@@ -214,12 +256,12 @@ private:
     m_structure.form = form;
     const First_degeneracy<FT> degeneracy(m_structure, change);
     set_trial(degeneracy.time);
+    m_flipped.clear();
     for (const Index h : degeneracy.triangles)
       if (m_structure.mesh.face(h) != m_structure.mesh.face(h ^ 1) && !flipped_already(h)) {
         m_structure.flip_euclidean(h);
         ++m_record.flips;
       }
-    m_flipped.clear();
     if (policy.delaunay) {
       const std::size_t most_flips = 1000 + 20 * static_cast<std::size_t>(m_structure.mesh.number_of_edges());
       const std::size_t flips =
@@ -236,9 +278,10 @@ private:
   // Two degenerate triangles may share their longest edge.
   bool flipped_already(const Index h)
   {
-    if (std::find(m_flipped.begin(), m_flipped.end(), h >> 1) != m_flipped.end())
+    const auto is_same_edge = [h](const Index g) { return (g >> 1) == (h >> 1); };
+    if (std::find_if(m_flipped.begin(), m_flipped.end(), is_same_edge) != m_flipped.end())
       return true;
-    m_flipped.push_back(h >> 1);
+    m_flipped.push_back(h);
     return false;
   }
 
@@ -256,7 +299,7 @@ private:
   double m_step_length = 1;
   int m_last_inner_iterations = 0;
   int m_blocked_steps = 0;
-  std::vector<Index> m_flipped;
+  std::vector<Index> m_flipped; // halfedges
   Conjugate_gradients_workspace<double> m_workspace;
 };
 

@@ -57,19 +57,48 @@ public:
   /// evaluates angles and gradient. \return `false` if some triangle violates the triangle inequality.
   bool evaluate(const Structure& structure)
   {
-    const Triangulation_connectivity& mesh = structure.mesh;
-    m_angle.resize(mesh.number_of_halfedges());
-    m_cotangent.resize(mesh.number_of_halfedges());
-    bool all_triangles = true;
-    for (Index f = 0; f < mesh.number_of_faces(); ++f) {
-      Index h = mesh.halfedge_of_face(f);
-      const Triangle_angles<FT> angles(structure.triangle_log_lengths(h));
-      all_triangles = all_triangles && angles.is_triangle;
-      for (int i = 0; i < 3; ++i, h = mesh.next(h)) {
-        m_angle[h] = angles.angle[i];
-        m_cotangent[h] = angles.cotangent[i];
-      }
+    measure(structure);
+    evaluate_gradient(structure);
+    return has_triangles_only();
+  }
+
+  /// evaluates the angles of all triangles.
+  void measure(const Structure& structure)
+  {
+    m_angle.resize(structure.mesh.number_of_halfedges());
+    m_cotangent.resize(structure.mesh.number_of_halfedges());
+    m_is_triangle.resize(structure.mesh.number_of_faces());
+    for (Index f = 0; f < structure.mesh.number_of_faces(); ++f)
+      measure(structure, f);
+  }
+
+  /// evaluates the angles of the triangle `f` anew.
+  void measure(const Structure& structure, const Index f)
+  {
+    Index h = structure.mesh.halfedge_of_face(f);
+    const Triangle_angles<FT> angles(structure.triangle_log_lengths(h));
+    m_is_triangle[f] = angles.is_triangle;
+    for (int i = 0; i < 3; ++i, h = structure.mesh.next(h)) {
+      m_angle[h] = angles.angle[i];
+      m_cotangent[h] = angles.cotangent[i];
     }
+  }
+
+  /// Whether all faces satisfied the triangle inequality when they were measured.
+  bool has_triangles_only() const { return std::find(m_is_triangle.begin(), m_is_triangle.end(), 0) == m_is_triangle.end(); }
+
+  /// Whether the measured angles tell that an edge is Delaunay, with some margin; `false` may be a false alarm.
+  bool is_clearly_delaunay(const Structure& structure, const Index e) const
+  {
+    const double first = m_cotangent[2 * e], second = m_cotangent[2 * e + 1];
+    return m_is_triangle[structure.mesh.face(2 * e)] && m_is_triangle[structure.mesh.face(2 * e + 1)] &&
+           first + second > 1e-10 * (1 + std::abs(first));
+  }
+
+  /// evaluates the gradient from the measured angles.
+  void evaluate_gradient(const Structure& structure)
+  {
+    const Triangulation_connectivity& mesh = structure.mesh;
     m_gradient = m_target;
     for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
       m_gradient[mesh.target(mesh.next(h))] -= m_angle[h];
@@ -87,7 +116,6 @@ public:
     for (std::size_t i = 0; i < m_gradient.size(); ++i)
       if (!(absolute(m_gradient[i]) <= absolute(m_gradient[m_worst])))
         m_worst = i;
-    return all_triangles;
   }
 
   /// Prescribed minus present angle per vertex, then present minus prescribed turning per loop, of the last evaluation.
@@ -277,6 +305,7 @@ private:
 
   std::vector<FT> m_angle;      // per halfedge, opposite to it
   std::vector<double> m_cotangent;
+  std::vector<char> m_is_triangle; // per face
   std::vector<FT> m_gradient;
   std::size_t m_worst = 0;
 

@@ -140,17 +140,19 @@ private:
 };
 
 /// flips edges that are not Delaunay until there is none or `maximum` flips have been made.
-/// \param flip called with a halfedge.
+/// \param is_clearly_delaunay called with an edge before the first flip: `true` if it need not be tested
+/// \param flip called with a halfedge
 /// \return the number of flips, or `maximum + 1` if that is not enough.
-template <typename FT, typename Flip>
-std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::size_t maximum, Flip&& flip)
+template <typename FT, typename IsClearlyDelaunay, typename Flip>
+std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::size_t maximum, const IsClearlyDelaunay& is_clearly_delaunay,
+                             Flip&& flip)
 {
   using Index = typename Similarity_structure<FT>::Index;
   const Triangulation_connectivity& mesh = structure.mesh;
   std::vector<Index> stack;
   std::vector<char> is_on_stack(mesh.number_of_edges(), 0);
   for (Index e = mesh.number_of_edges() - 1; e >= 0; --e)
-    if (!structure.is_delaunay(e)) {
+    if (!is_clearly_delaunay(e) && !structure.is_delaunay(e)) {
       stack.push_back(e);
       is_on_stack[e] = 1;
     }
@@ -174,6 +176,12 @@ std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::siz
       }
   }
   return flips;
+}
+
+template <typename FT, typename Flip>
+std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::size_t maximum, Flip&& flip)
+{
+  return flip_to_delaunay(structure, maximum, [](int) { return false; }, std::forward<Flip>(flip));
 }
 
 } // namespace internal

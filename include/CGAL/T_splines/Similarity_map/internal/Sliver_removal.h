@@ -19,11 +19,13 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// Makes every triangle of a refined triangulation positively oriented on the surface and in the plane, decided exactly.
+/// Makes every triangle of a refined triangulation positively oriented on the surface and in the plane, decided exactly, and takes out what
+/// is smaller than double coordinates resolve.
 ///
-/// Cells of the common subdivision can be thinner than coordinates in double can tell. Where rounding has turned a triangle over, the
+/// Cells of the common subdivision can be as thin as the rounding of coordinates. Where a triangle is turned over or so thin, the
 /// refinement is made coarser: edges that lie on no input edge and not on the cut are flipped, and added vertices are moved
-/// along an edge into a neighbor, along the input edge or the cut on which they lie. An operation is done if all triangles that it changes are positive afterwards.
+/// along an edge into a neighbor, along the input edge or the cut on which they lie. An operation is done if all triangles that it changes are
+/// good afterwards. Thin triangles that are positive may stay, such as those of the input; others are a failure.
 class Sliver_removal {
   using Index = Triangulation_connectivity::Index;
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -39,7 +41,7 @@ public:
     choose_projections();
     std::vector<Index> bad;
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
-      if (!is_positive(f))
+      if (!is_good(f))
         bad.push_back(f);
     if (bad.empty())
       return;
@@ -48,14 +50,15 @@ public:
     while (true) {
       const std::size_t before = bad.size();
       for (const Index f : bad)
-        if (!m_is_removed[f] && !is_positive(f))
+        if (!m_is_removed[f] && !is_good(f))
           repair(f);
-      bad.erase(std::remove_if(bad.begin(), bad.end(), [this](const Index f) { return m_is_removed[f] || is_positive(f); }), bad.end());
+      bad.erase(std::remove_if(bad.begin(), bad.end(), [this](const Index f) { return m_is_removed[f] || is_good(f); }), bad.end());
       if (bad.empty() || bad.size() == before)
         break;
     }
-    if (!bad.empty())
-      m_first_bad_input_face = m_refined.input_face[bad.front()];
+    const auto negative = std::find_if(bad.begin(), bad.end(), [this](const Index f) { return !is_positive(f); });
+    if (negative != bad.end())
+      m_first_bad_input_face = m_refined.input_face[*negative];
     compress();
   }
 
@@ -109,6 +112,45 @@ private:
     return orientation(p.uv, q.uv, r.uv) == CGAL::LEFT_TURN && orientation(point(p), point(q), point(r)) == CGAL::LEFT_TURN;
   }
 
+  // Whether the triangle is positive and its least height, relative to its longest side and in the plane also relative to its coordinates,
+  // is well above the unit of rounding.
+  bool is_good(const Corner& p, const Corner& q, const Corner& r, const Index input_face) const
+  {
+    const double height = least_height(p.uv, q.uv, r.uv);
+    double coordinate = 0;
+    for (const double x : {p.uv[0], p.uv[1], q.uv[0], q.uv[1], r.uv[0], r.uv[1]})
+      coordinate = std::max(coordinate, std::abs(x));
+    const double longest = std::sqrt(longest_square(p.uv, q.uv, r.uv));
+    if (!(height > thin * longest && height > unresolved * coordinate))
+      return false;
+    const Projection& projection = m_projection[input_face];
+    const auto point = [&](const Corner& c) { return projected(m_refined.point[c.vertex], projection); };
+    const std::array<double, 2> a = point(p), b = point(q), c = point(r);
+    return least_height(a, b, c) > thin * std::sqrt(longest_square(a, b, c)) && is_positive(p, q, r, input_face);
+  }
+
+  bool is_good(const Index f) const
+  {
+    const Index h = m_mesh.halfedge_of_face(f);
+    return is_good(corner(h), corner(m_mesh.next(h)), corner(m_mesh.previous(h)), m_refined.input_face[f]);
+  }
+
+  static constexpr double thin = 1e-8, unresolved = 1e-10;
+
+  static double longest_square(const std::array<double, 2>& p, const std::array<double, 2>& q, const std::array<double, 2>& r)
+  {
+    const auto square = [](const std::array<double, 2>& a, const std::array<double, 2>& b) {
+      return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+    };
+    return std::max(square(p, q), std::max(square(q, r), square(r, p)));
+  }
+
+  static double least_height(const std::array<double, 2>& p, const std::array<double, 2>& q, const std::array<double, 2>& r)
+  {
+    const double area = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]), square = longest_square(p, q, r);
+    return square > 0 ? area / std::sqrt(square) : 0;
+  }
+
   Corner corner(const Index h) const { return {m_mesh.target(h), m_refined.uv[h]}; }
 
   bool is_positive(const Index f) const
@@ -157,7 +199,7 @@ private:
       return false;
     const Corner i = corner(g), j = corner(h), k = corner(m_mesh.next(h)), l = corner(m_mesh.next(g));
     const Index input_face = m_refined.input_face[m_mesh.face(h)];
-    return k.vertex != l.vertex && is_positive(l, k, i, input_face) && is_positive(k, l, j, input_face) && !are_adjacent(k.vertex, l.vertex);
+    return k.vertex != l.vertex && is_good(l, k, i, input_face) && is_good(k, l, j, input_face) && !are_adjacent(k.vertex, l.vertex);
   }
 
   void flip(const Index h)
@@ -197,7 +239,7 @@ private:
       const Index f = m_mesh.face(k);
       if (f == m_mesh.face(g))
         continue;
-      if (!is_positive({w, uv_at_target(h, is_right_of_cut)}, corner(k), corner(m_mesh.next(k)), m_refined.input_face[f]))
+      if (!is_good({w, uv_at_target(h, is_right_of_cut)}, corner(k), corner(m_mesh.next(k)), m_refined.input_face[f]))
         return false;
     }
     return true;

@@ -49,13 +49,12 @@ struct Triangle_angles {
       cotangent = {0., 0., 0.};
       return;
     }
-    const FT bc = sqrt(FT(excess_b * excess_c)), ap = sqrt(FT(perimeter * excess_a));
-    const FT ac = sqrt(FT(excess_a * excess_c)), bp = sqrt(FT(perimeter * excess_b));
-    const FT ab = sqrt(FT(excess_a * excess_b)), cp = sqrt(FT(perimeter * excess_c));
-    angle[i] = 2 * atan2(bc, ap);
-    angle[j] = 2 * atan2(ac, bp);
-    angle[k] = 2 * atan2(ab, cp);
-    const double four_areas = static_cast<double>(FT(bc * ap));
+    // tan(A / 2) = r / (s - a), with the inradius r = sqrt((s - a) (s - b) (s - c) / s)
+    const FT diameter = sqrt(FT(excess_a * (excess_b * excess_c) / perimeter));
+    angle[i] = 2 * atan2(diameter, excess_a);
+    angle[j] = 2 * atan2(diameter, excess_b);
+    angle[k] = 2 * atan2(diameter, excess_c);
+    const double four_areas = static_cast<double>(FT(diameter * perimeter));
     const double bb = static_cast<double>(FT(b * b)), cc = static_cast<double>(FT(c * c));
     cotangent[i] = (bb + cc - 1) / four_areas;
     cotangent[j] = (1 + cc - bb) / four_areas;
