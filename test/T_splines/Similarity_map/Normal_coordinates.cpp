@@ -26,7 +26,13 @@ struct Flipped_torus {
   Normal_coordinates coordinates;
   std::vector<int> flips;
 
-  Flipped_torus(const int n, const unsigned int seed) : random(seed), torus(n, random), first(torus), coordinates(torus.mesh) {}
+  Flipped_torus(const int n, const unsigned int seed)
+    : random(seed),
+      torus(n, random),
+      first(torus),
+      coordinates(torus.mesh)
+  {
+  }
 
   bool flip(const int h)
   {
@@ -50,8 +56,11 @@ struct Flipped_torus {
 // Whether the interiors of two segments cross in one point.
 bool cross(const Vector& p, const Vector& d, const Vector& q, const Vector& e)
 {
-  const auto side = [](const Vector& o, const Vector& v, const Vector& x) { return Flat_torus::cross(v, Flat_torus::minus(x, o)); };
-  const Number a = side(p, d, q), b = side(p, d, Flat_torus::plus(q, e)), c = side(q, e, p), f = side(q, e, Flat_torus::plus(p, d));
+  const auto side = [](const Vector& o, const Vector& v, const Vector& x) {
+    return Flat_torus::cross(v, Flat_torus::minus(x, o));
+  };
+  const Number a = side(p, d, q), b = side(p, d, Flat_torus::plus(q, e)), c = side(q, e, p),
+               f = side(q, e, Flat_torus::plus(p, d));
   return ((a > 0 && b < 0) || (a < 0 && b > 0)) && ((c > 0 && f < 0) || (c < 0 && f > 0));
 }
 
@@ -64,7 +73,8 @@ int crossings(const Flipped_torus& t, const int edge)
   for (int e = 0; e < t.first.mesh.number_of_edges(); ++e)
     for (Number i = -reach; i <= reach; ++i)
       for (Number j = -reach; j <= reach; ++j) {
-        const Vector q = Flat_torus::plus(t.first.position[t.first.mesh.source(2 * e)], {{i * t.torus.period, j * t.torus.period}});
+        const Vector q =
+            Flat_torus::plus(t.first.position[t.first.mesh.source(2 * e)], {{i * t.torus.period, j * t.torus.period}});
         count += cross(p, d, q, t.first.vector[2 * e]) ? 1 : 0;
       }
   return count;
@@ -113,42 +123,44 @@ TEST_CASE("edges are traced as straight lines run", "[Normal_coordinates]")
     std::vector<std::vector<std::pair<double, Normal_coordinates::Count>>> on_edge(t.torus.mesh.number_of_edges());
     int count = 0;
     t.coordinates.for_each_reference_halfedge(
-      t.torus.mesh,
-      [&](const int v, const int k, const Normal_coordinates::Curve& curve) {
-        ++count;
-        const Vector straight = t.first.vector[numbered_halfedge(t.first, v, k)];
-        REQUIRE(t.torus.mesh.source(curve.first_corner) == v);
-        REQUIRE(t.torus.mesh.face(curve.first_corner) == t.torus.mesh.face(curve.crossings.front().halfedge));
-        Vector source = t.torus.vector[curve.first_corner]; // of the halfedge by which a triangle is left, seen from v
-        for (std::size_t i = 0; i < curve.crossings.size(); ++i) {
-          const int exit = curve.crossings[i].halfedge;
-          const Vector d = t.torus.vector[exit];
-          const Number right = Flat_torus::cross(straight, source), left = Flat_torus::cross(straight, Flat_torus::plus(source, d));
-          CHECK(right < 0);
-          CHECK(left > 0);
-          const double along = double(right) / double(right - left);
-          const Normal_coordinates::Count position = curve.crossings[i].position;
-          if (exit % 2 == 0)
-            on_edge[exit / 2].emplace_back(along, position);
-          else
-            on_edge[exit / 2].emplace_back(1 - along, t.coordinates.number_of_crossings(exit / 2) - 1 - position);
-          if (i + 1 < curve.crossings.size()) {
-            const int following = curve.crossings[i + 1].halfedge, entry = exit ^ 1;
-            const bool is_next = following == t.torus.mesh.next(entry);
-            REQUIRE((is_next || following == t.torus.mesh.previous(entry)));
-            source = is_next ? source : Flat_torus::plus(source, t.torus.vector[t.torus.mesh.next(entry)]);
+        t.torus.mesh,
+        [&](const int v, const int k, const Normal_coordinates::Curve& curve) {
+          ++count;
+          const Vector straight = t.first.vector[numbered_halfedge(t.first, v, k)];
+          REQUIRE(t.torus.mesh.source(curve.first_corner) == v);
+          REQUIRE(t.torus.mesh.face(curve.first_corner) == t.torus.mesh.face(curve.crossings.front().halfedge));
+          Vector source =
+              t.torus.vector[curve.first_corner]; // of the halfedge by which a triangle is left, seen from v
+          for (std::size_t i = 0; i < curve.crossings.size(); ++i) {
+            const int exit = curve.crossings[i].halfedge;
+            const Vector d = t.torus.vector[exit];
+            const Number right = Flat_torus::cross(straight, source),
+                         left = Flat_torus::cross(straight, Flat_torus::plus(source, d));
+            CHECK(right < 0);
+            CHECK(left > 0);
+            const double along = double(right) / double(right - left);
+            const Normal_coordinates::Count position = curve.crossings[i].position;
+            if (exit % 2 == 0)
+              on_edge[exit / 2].emplace_back(along, position);
+            else
+              on_edge[exit / 2].emplace_back(1 - along, t.coordinates.number_of_crossings(exit / 2) - 1 - position);
+            if (i + 1 < curve.crossings.size()) {
+              const int following = curve.crossings[i + 1].halfedge, entry = exit ^ 1;
+              const bool is_next = following == t.torus.mesh.next(entry);
+              REQUIRE((is_next || following == t.torus.mesh.previous(entry)));
+              source = is_next ? source : Flat_torus::plus(source, t.torus.vector[t.torus.mesh.next(entry)]);
+            }
+            else {
+              CHECK(curve.last_corner == t.torus.mesh.previous(exit ^ 1));
+              CHECK(Flat_torus::plus(source, t.torus.vector[t.torus.mesh.next(exit ^ 1)]) == straight);
+            }
           }
-          else {
-            CHECK(curve.last_corner == t.torus.mesh.previous(exit ^ 1));
-            CHECK(Flat_torus::plus(source, t.torus.vector[t.torus.mesh.next(exit ^ 1)]) == straight);
-          }
-        }
-      },
-      [&](const int v, const int k, const int h) {
-        ++count;
-        CHECK(t.torus.mesh.source(h) == v);
-        CHECK(t.first.vector[numbered_halfedge(t.first, v, k)] == t.torus.vector[h]);
-      });
+        },
+        [&](const int v, const int k, const int h) {
+          ++count;
+          CHECK(t.torus.mesh.source(h) == v);
+          CHECK(t.first.vector[numbered_halfedge(t.first, v, k)] == t.torus.vector[h]);
+        });
     CHECK(count == t.first.mesh.number_of_halfedges());
     for (std::size_t e = 0; e < on_edge.size(); ++e) { // each crossing twice: from both ends of the curve
       std::sort(on_edge[e].begin(), on_edge[e].end(), [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -173,10 +185,10 @@ TEST_CASE("flips are undone by flips", "[Normal_coordinates]")
     CHECK(t.coordinates.is_shared(e));
   int count = 0;
   t.coordinates.for_each_reference_halfedge(
-    t.torus.mesh, [](int, int, const Normal_coordinates::Curve&) { FAIL("no edge is crossed"); },
-    [&](const int v, const int k, const int h) {
-      ++count;
-      CHECK(t.first.vector[numbered_halfedge(t.first, v, k)] == t.torus.vector[h]);
-    });
+      t.torus.mesh, [](int, int, const Normal_coordinates::Curve&) { FAIL("no edge is crossed"); },
+      [&](const int v, const int k, const int h) {
+        ++count;
+        CHECK(t.first.vector[numbered_halfedge(t.first, v, k)] == t.torus.vector[h]);
+      });
   CHECK(count == t.first.mesh.number_of_halfedges());
 }

@@ -41,8 +41,8 @@ TEMPLATE_TEST_CASE("angles of triangles that are known", "[Triangle_angles]", do
   using std::sqrt;
   const TestType tolerance = 8 * std::numeric_limits<TestType>::epsilon(), turn = pi<TestType>();
   SECTION("equilateral")
-    for (const TestType& angle : Triangle_angles<TestType>(log_lengths<TestType>(7, 7, 7)).angle)
-      CHECK(abs(angle - turn / 3) <= tolerance);
+  for (const TestType& angle : Triangle_angles<TestType>(log_lengths<TestType>(7, 7, 7)).angle)
+    CHECK(abs(angle - turn / 3) <= tolerance);
   SECTION("half of a square")
   {
     const Triangle_angles<TestType> half(log_lengths<TestType>(1, sqrt(TestType(2)), 1));
@@ -62,8 +62,10 @@ TEMPLATE_TEST_CASE("the sum of angles, the law of sines, cotangents", "[Triangle
   CGAL::Random random(1);
   const TestType epsilon = std::numeric_limits<TestType>::epsilon();
   for (int i = 0; i < 500; ++i) {
-    const TestType a = random.uniform_real(0.01, 1.), b = random.uniform_real(0.01, 1.), unit = random.uniform_real(-300., 300.);
-    const TestType c = abs(a - b) + (a + b - abs(a - b)) * TestType(random.uniform_real(0.001, 0.999)); // between |a - b| and a + b
+    const TestType a = random.uniform_real(0.01, 1.), b = random.uniform_real(0.01, 1.),
+                   unit = random.uniform_real(-300., 300.);
+    const TestType c =
+        abs(a - b) + (a + b - abs(a - b)) * TestType(random.uniform_real(0.001, 0.999)); // between |a - b| and a + b
     std::array<TestType, 3> l = log_lengths<TestType>(a, b, c);
     for (TestType& x : l)
       x += unit; // no influence
