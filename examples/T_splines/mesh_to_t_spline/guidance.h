@@ -93,16 +93,16 @@ inline std::string describe(const CGAL::T_splines::Field_file_report& report)
   case Status::NON_POSITIVE_CONE:
     text += " (vertex " + std::to_string(report.index) + ", counted from 0, has k = " + std::to_string(report.actual) + ")";
     break;
+  case Status::ZERO_VECTOR:
+  case Status::NOT_TANGENT:
+  case Status::NOT_A_CROSS:
+  case Status::WRONG_FACE:
+  case Status::INCONSISTENT_MATCHING: text += " (face " + std::to_string(report.index) + ", counted from 0)"; break;
   case Status::TRUNCATED:
   case Status::SYNTAX_ERROR:
   case Status::NON_FINITE_NUMBER:
   case Status::TRAILING_DATA:
-  case Status::ZERO_VECTOR:
-  case Status::NOT_TANGENT:
-  case Status::NOT_A_CROSS:
   case Status::MISSING_SECTION:
-  case Status::WRONG_FACE:
-  case Status::INCONSISTENT_MATCHING:
     if (report.index != none)
       text += " (element " + std::to_string(report.index) + ", counted from 0)";
     break;

@@ -52,7 +52,9 @@ inline std::string describe_failure(const Map_report& report)
     text << ", loop " << report.loop;
   if (report.face != Mesh::null_face())
     text << ", face " << static_cast<std::size_t>(report.face);
-  text << ", counted from 0)";
+  const bool has_element =
+    report.vertex != Mesh::null_vertex() || report.loop != Map_report::no_loop || report.face != Mesh::null_face();
+  text << (has_element ? ", counted from 0)" : ")");
   if (report.hyperbolic_length > 0)
     text << "; the short loop closest to its limit has a scale factor of exp(" << report.scale_period
          << "), and the absolute value of the exponent must stay below " << report.hyperbolic_length;

@@ -12,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -163,8 +164,8 @@ TEST_CASE("every bad cone or field file is refused with its name, exit code 2, a
     {"wrong_count.rawfield", "3 instead of 4"},
     {"truncated.rawfield", "truncated"},
     {"two_directions.rawfield", "2 instead of 4"},
-    {"zero_vector.rawfield", "a vector is zero (element 2"},
-    {"not_tangent.rawfield", "not tangent to its face (element 2"},
+    {"zero_vector.rawfield", "a vector is zero (face 2"},
+    {"not_tangent.rawfield", "not tangent to its face (face 2"},
     {"nan.rawfield", "a number is not finite (element 1"},
     {"no_such_file.rosy", "the file cannot be read"},
     {"field.txt", "the file format is not known"}};
@@ -258,6 +259,27 @@ TEST_CASE("a good mesh gives the map and the report")
   CHECK(quiet.output.empty());
   CHECK(quiet.errors.empty());
   check_output(output, cube);
+}
+
+TEST_CASE("the page draws in a browser, where there is one")
+{
+  const Temporary_directory directory;
+  const std::string output = directory.file("output"), dom = directory.file("dom");
+  REQUIRE(Program_run("'" + data + "good_meshes/cube.obj' -o '" + output + "'").exit_code == 0);
+  const std::string browser = "timeout 100 chromium --headless --no-sandbox --no-first-run --disable-background-networking"
+                              " --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --virtual-time-budget=3000"
+                              " --user-data-dir='" + directory.file("profile") + "' --dump-dom 'file://" + output
+                              + "/report.html' >'" + dom + "' 2>/dev/null";
+  if (std::system(browser.c_str()) != 0) {
+    WARN("no chromium that runs: the page was not tried");
+    return;
+  }
+  const std::string page = file_content(dom);
+  CHECK(contains(page, "<title>cube.obj: seamless similarity map</title>"));
+  CHECK(contains(page, "<span class=\"good\">converged</span>"));
+  CHECK(contains(page, "k = 3, angle 270"));
+  CHECK(contains(page, "<p id=\"message\" hidden=\"\"></p>")); // where it says why it cannot draw
+  CHECK(contains(page, "aria-checked=\"true\""));                // the last thing that is set up
 }
 
 TEST_CASE("solvers, flip policies and number types")
