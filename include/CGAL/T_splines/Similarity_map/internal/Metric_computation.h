@@ -141,7 +141,7 @@ struct Metric_computation {
   void iterate(Newton_system<FT>& system, const FlipPolicy& policy, SolverTraits& solver, const Visitor& visitor, Newton_limits limits)
   {
     limits.number_of_iterations -= record.iterations;
-    Newton_iteration<FT, SolverTraits, Visitor> newton(structure, system, coefficients, solver, visitor, limits);
+    Newton_iteration<FT, SolverTraits, Visitor> newton(structure, system, coefficients, solver, record.factorizations > 0, visitor, limits);
     const Newton_record next = newton.run(policy);
     record.status = next.status;
     record.residual_history.insert(record.residual_history.end(), next.residual_history.begin() + (record.residual_history.empty() ? 0 : 1),

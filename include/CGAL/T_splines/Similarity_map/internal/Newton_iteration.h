@@ -49,9 +49,11 @@ class Newton_iteration {
 
 public:
   /// \param coefficients phi per vertex and c per loop, in and out: those of `structure`
+  /// \param is_factorized whether `solver` holds a factorization of an earlier system
   Newton_iteration(Structure& structure, Newton_system<FT>& system, std::vector<FT>& coefficients, SolverTraits& solver,
-                   const Visitor& visitor, const Newton_limits& limits)
-    : m_structure(structure), m_system(system), m_coefficients(coefficients), m_solver(solver), m_visitor(visitor), m_limits(limits)
+                   const bool is_factorized, const Visitor& visitor, const Newton_limits& limits)
+    : m_structure(structure), m_system(system), m_coefficients(coefficients), m_solver(solver), m_is_factorized(is_factorized),
+      m_visitor(visitor), m_limits(limits)
   {}
 
   template <typename FlipPolicy>
@@ -72,11 +74,8 @@ private:
       const double residual = static_cast<double>(m_system.residual());
       m_record.residual_history.push_back(residual);
       m_visitor.progress(progress());
-      if (residual <= m_limits.tolerance) {
-        if (residual > 0.05 * m_limits.tolerance)
-          polish(policy);
+      if (residual <= m_limits.tolerance)
         return Similarity_map_status::CONVERGED;
-      }
       if (stall.is_stalled(residual))
         return Similarity_map_status::STALLED;
       if (m_record.iterations >= m_limits.number_of_iterations)
@@ -90,25 +89,6 @@ private:
         return end;
       ++m_record.iterations;
     }
-  }
-
-  // One more step, kept if it is an improvement: closing errors of the layout are larger than the residual by orders of magnitude.
-  template <typename FlipPolicy>
-  void polish(const FlipPolicy& policy)
-  {
-    const Structure converged = m_structure;
-    const std::vector<FT> coefficients = m_coefficients;
-    const FT residual = m_system.residual();
-    const Newton_record record = m_record;
-    if (solve() && step(policy) == Similarity_map_status::CONVERGED && m_system.residual() < residual) {
-      ++m_record.iterations;
-      m_record.residual_history.push_back(static_cast<double>(m_system.residual()));
-      return;
-    }
-    m_structure = converged;
-    m_coefficients = coefficients;
-    m_record = record;
-    m_system.evaluate(m_structure);
   }
 
   // Notices that the residual has come down to its floor: near the solution, quadratic convergence has ended.
@@ -142,24 +122,14 @@ private:
   {
     m_system.set_hessian(m_structure);
     const std::vector<double> right_hand_side = m_system.right_hand_side();
-    if (m_record.factorizations == 0 || m_last_inner_iterations > 20) {
-      if (!factorize())
-        return false;
-      if (m_record.factorizations == 1) { // exact: the factorization is of this very matrix
-        m_solution.clear();
-        ++m_record.linear_iterations;
-        if (!m_solver.solve(right_hand_side, m_solution))
-          return false;
-        m_direction = m_system.direction(m_solution);
-        return true;
-      }
-    }
+    if ((!m_is_factorized || m_last_inner_iterations > 20) && !factorize())
+      return false;
     double norm = 0;
     for (const double b : right_hand_side)
       norm += b * b;
     norm = std::sqrt(norm);
-    // Forcing term: a relative error as small as the residual keeps the convergence quadratic.
-    const double tolerance = std::max(1e-10, std::min(0.1, 0.3 * norm));
+    // Forcing term: a relative error as small as the residual keeps the convergence quadratic; more than the goal asks for is wasted.
+    const double tolerance = std::max(1e-10, std::min(0.1, std::max(0.3 * norm, 0.1 * m_limits.tolerance / norm)));
     m_last_inner_iterations =
       preconditioned_conjugate_gradients(m_system, m_solver, right_hand_side, m_solution, tolerance, 500, m_workspace);
     m_record.linear_iterations += m_last_inner_iterations;
@@ -171,7 +141,7 @@ private:
   {
     const Symmetric_sparse_matrix<double> matrix = m_system.matrix();
     ++m_record.factorizations;
-    m_last_inner_iterations = 0;
+    m_is_factorized = true;
     return m_solver.analyze_pattern(matrix) && m_solver.factorize(matrix);
   }
 
@@ -289,6 +259,7 @@ private:
   Newton_system<FT>& m_system;
   std::vector<FT>& m_coefficients;
   SolverTraits& m_solver;
+  bool m_is_factorized;
   const Visitor& m_visitor;
   Newton_limits m_limits;
   Newton_record m_record;

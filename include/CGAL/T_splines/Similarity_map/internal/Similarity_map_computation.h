@@ -12,6 +12,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Metric_computation.h>
 #include <CGAL/T_splines/Similarity_map/internal/Refined_triangulation.h>
 #include <CGAL/T_splines/Similarity_map/internal/Sliver_removal.h>
+#include <CGAL/T_splines/Similarity_map/internal/converged_metric.h>
 
 #include <cmath>
 #include <limits>
@@ -21,10 +22,6 @@
 namespace CGAL {
 namespace T_splines {
 namespace internal {
-
-/// The number type in which a metric computed in `FT` is laid out: its own, but at least `long double`.
-template <typename FT>
-using Layout_number_type = std::conditional_t<(std::numeric_limits<FT>::digits < std::numeric_limits<long double>::digits), long double, FT>;
 
 /// From a converged metric to the refined triangulation with its map.
 /// \tparam Metric a `Metric_computation` that tracked its edges

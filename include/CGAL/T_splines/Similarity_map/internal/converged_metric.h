@@ -23,6 +23,10 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
+/// The number type in which a metric computed in `FT` is laid out: its own, but at least `long double`.
+template <typename FT>
+using Layout_number_type = std::conditional_t<(std::numeric_limits<FT>::digits < std::numeric_limits<long double>::digits), long double, FT>;
+
 /// The number type to go on with where `FT` has reached its floor; `void` if there is none.
 template <typename FT>
 struct Wider_number_type {
@@ -50,6 +54,30 @@ void look_for_limit(const Metric_computation<FT>& computation, Similarity_map_re
     report.status = Similarity_map_status::SIGNATURE_OUT_OF_REACH;
 }
 
+/// continues a converged computation in the number type of the layout, to the floor of `double`'s factorizations: closing errors of a layout
+/// exceed the residual by orders of magnitude. The cost is a few evaluations.
+template <typename TriangleMesh, typename FlipPolicy, typename SolverTraits, typename Visitor>
+Metric_computation<Layout_number_type<double>> sharpened(const Metric_computation<double>& computation, const Metric_input& input,
+                                                         const Mesh_indexing<TriangleMesh>& indexing, const FlipPolicy& policy, SolverTraits& solver,
+                                                         const Visitor& visitor, Similarity_map_report<TriangleMesh>& report)
+{
+  using FT = Layout_number_type<double>;
+  Metric_computation<FT> sharp(computation);
+  Newton_system<FT> system(input.component_of_vertex, input.quarter_turns);
+  Newton_limits limits;
+  limits.tolerance = 1e-17;
+  limits.number_of_iterations = computation.record.iterations + 1;
+  const Similarity_map_report<TriangleMesh> converged = report;
+  sharp.iterate(system, policy, solver, visitor, limits);
+  fill_report(sharp, system, indexing, report);
+  if (!(report.residual <= converged.residual)) {
+    report = converged;
+    return Metric_computation<FT>(computation);
+  }
+  report.status = converged.status;
+  return sharp;
+}
+
 /// iterates, in wider number types if the residual of `computation` comes to a floor above the tolerance, and calls
 /// `consume(computation)` with the converged one.
 template <typename FT, typename TriangleMesh, typename FlipPolicy, typename SolverTraits, typename Visitor, typename Consume>
@@ -63,6 +91,12 @@ void iterate_to_convergence(Metric_computation<FT>& computation, const Metric_in
   computation.iterate(system, policy, solver, visitor, limits);
   fill_report(computation, system, indexing, report);
   if (report.success()) {
+    if constexpr (std::is_same<FT, double>::value && !std::is_same<Layout_number_type<double>, double>::value) {
+      if (!computation.structure.delaunay_edges.is_empty()) {
+        consume(sharpened(computation, input, indexing, policy, solver, visitor, report));
+        return;
+      }
+    }
     consume(computation);
     return;
   }
