@@ -46,6 +46,9 @@ public:
     m_first.push_back(m_passages[last].next);
   }
 
+  /// Number of triangles along all loops together.
+  std::size_t number_of_passages() const { return m_passages.size() - m_free.size(); }
+
   bool has_passages(const Index edge) const { return m_first_on_edge[edge] != null; }
 
   /// calls `visit(loop, sign)` for each passage over `edge`: sign +1 if it enters the face of the halfedge 2 edge.

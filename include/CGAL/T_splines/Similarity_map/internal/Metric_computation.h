@@ -108,6 +108,7 @@ struct Metric_computation {
     structure.mesh = other.structure.mesh;
     structure.loops = other.structure.loops;
     structure.delaunay_edges = other.structure.delaunay_edges;
+    structure.delaunay_tolerance = static_cast<FT>(other.structure.delaunay_tolerance); // the lengths are no more accurate than they were
     structure.log_length.assign(other.structure.log_length.begin(), other.structure.log_length.end());
     structure.log_penner.assign(other.structure.log_penner.begin(), other.structure.log_penner.end());
     structure.form.assign(other.structure.form.size(), FT(0));
@@ -144,8 +145,9 @@ struct Metric_computation {
     Newton_iteration<FT, SolverTraits, Visitor> newton(structure, system, coefficients, solver, record.factorizations > 0, visitor, limits);
     const Newton_record next = newton.run(policy);
     record.status = next.status;
-    record.residual_history.insert(record.residual_history.end(), next.residual_history.begin() + (record.residual_history.empty() ? 0 : 1),
-                                   next.residual_history.end());
+    if (!record.residual_history.empty())
+      record.residual_history.pop_back(); // evaluated anew
+    record.residual_history.insert(record.residual_history.end(), next.residual_history.begin(), next.residual_history.end());
     record.iterations += next.iterations;
     record.halvings += next.halvings;
     record.factorizations += next.factorizations;

@@ -101,7 +101,7 @@ private:
         m_unsuccessful = 0;
         return false;
       }
-      return ++m_unsuccessful > (m_best < 1e-8 ? 3 : 60);
+      return ++m_unsuccessful > (m_best < 1e-6 ? 3 : 60);
     }
 
   private:
@@ -168,7 +168,7 @@ private:
     const Structure accepted = m_structure;
     const double slope_before = slope(), norm_before = m_system.gradient_norm();
     const double residual_before = static_cast<double>(m_system.residual());
-    const std::size_t most_flips = 1000 + 20 * static_cast<std::size_t>(m_structure.mesh.number_of_edges());
+    const std::size_t most_flips = 1000 + 4 * static_cast<std::size_t>(m_structure.mesh.number_of_edges());
     double length = std::min(1., 2 * m_step_length);
     for (; length > 1e-12; length /= 2, ++m_record.halvings) {
       set_trial(length);
@@ -198,13 +198,16 @@ private:
   // measured again.
   std::size_t flip_and_measure(const std::size_t most_flips)
   {
+    // A trial beyond the limit of what the mesh can carry winds the loops up without end.
+    const std::size_t most_passages = 1000 + 10 * m_structure.loops.number_of_passages();
     m_system.measure(m_structure);
     m_flipped.clear();
     const std::size_t flips = flip_to_delaunay(
       m_structure, most_flips, [this](const Index e) { return m_system.is_clearly_delaunay(m_structure, e); },
-      [this](const Index h) {
+      [this, most_passages](const Index h) {
         m_structure.flip_ptolemy(h);
         m_flipped.push_back(h);
+        return m_structure.loops.number_of_passages() <= most_passages;
       });
     if (flips <= most_flips)
       for (const Index h : m_flipped) {

@@ -175,7 +175,9 @@ public:
     m_terms.clear();
     m_loop_terms.clear();
     for (Index e = 0; e < mesh.number_of_edges(); ++e) {
-      const double weight = std::max((m_cotangent[2 * e] + m_cotangent[2 * e + 1]) / 2, least_weight);
+      // Not negative on a Delaunay triangulation; on others, negative weights belong to the Hessian, which is semidefinite all the same.
+      const double cotangents = (m_cotangent[2 * e] + m_cotangent[2 * e + 1]) / 2;
+      const double weight = std::abs(cotangents) < least_weight ? least_weight : cotangents;
       Edge_term term{weight, m_row[mesh.target(2 * e + 1)], m_row[mesh.target(2 * e)],
                      static_cast<int>(m_loop_terms.size()), 0};
       if (structure.loops.has_passages(e))

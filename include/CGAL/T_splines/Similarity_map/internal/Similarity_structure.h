@@ -37,6 +37,7 @@ struct Similarity_structure {
   std::vector<FT> form;               ///< xi of the halfedge 2e, per edge e
   Dual_loops loops;
   Normal_coordinates delaunay_edges;  ///< of the triangulation that the iteration starts from; empty if not wanted
+  FT delaunay_tolerance = 32 * std::numeric_limits<FT>::epsilon(); ///< relative, of the Delaunay test: the round-off of the lengths
   std::vector<FT> log_penner;         ///< Penner's coordinates of the starting metric; empty: `log_length` has them
 
   FT form_of(const Index h) const { return (h & 1) ? FT(-form[h >> 1]) : form[h >> 1]; }
@@ -65,7 +66,7 @@ struct Similarity_structure {
     }
   }
 
-  /// Whether the edge is Delaunay in the scaled metric: the cosines of the two angles opposite to it have a sum of at least 0, up to a few ulp.
+  /// Whether the edge is Delaunay in the scaled metric: the cosines of the two angles opposite to it have a sum of at least 0, up to round-off.
   /// It needs no triangle inequality. Of an edge between a triangle and itself, it says yes.
   bool is_delaunay(const Index e) const
   {
@@ -79,7 +80,7 @@ struct Similarity_structure {
       sum += (ratio + inverse) - square; // twice the cosine
       magnitude += ratio + inverse + square;
     }
-    return sum >= -32 * std::numeric_limits<FT>::epsilon() * magnitude;
+    return sum >= -delaunay_tolerance * magnitude;
   }
 
   /// flips the edge of `h` with Ptolemy's formula on the unscaled lengths.
@@ -141,7 +142,7 @@ private:
 
 /// flips edges that are not Delaunay until there is none or `maximum` flips have been made.
 /// \param is_clearly_delaunay called with an edge before the first flip: `true` if it need not be tested
-/// \param flip called with a halfedge
+/// \param flip called with a halfedge; it returns `false` to give up
 /// \return the number of flips, or `maximum + 1` if that is not enough.
 template <typename FT, typename IsClearlyDelaunay, typename Flip>
 std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::size_t maximum, const IsClearlyDelaunay& is_clearly_delaunay,
@@ -167,7 +168,8 @@ std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::siz
       return maximum + 1;
     const Index h = 2 * e, g = h + 1;
     const std::array<Index, 4> sides = {mesh.next(h), mesh.previous(h), mesh.next(g), mesh.previous(g)};
-    flip(h);
+    if (!flip(h))
+      return maximum + 1;
     ++flips;
     for (const Index side : sides)
       if (!is_on_stack[side >> 1]) {
@@ -181,7 +183,11 @@ std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::siz
 template <typename FT, typename Flip>
 std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::size_t maximum, Flip&& flip)
 {
-  return flip_to_delaunay(structure, maximum, [](int) { return false; }, std::forward<Flip>(flip));
+  const auto flip_and_go_on = [&](const int h) {
+    flip(h);
+    return true;
+  };
+  return flip_to_delaunay(structure, maximum, [](int) { return false; }, flip_and_go_on);
 }
 
 } // namespace internal

@@ -44,21 +44,31 @@ struct Triangle_angles {
     const FT excess_c = 1 + (b - c);
     if (!(excess_a > 0)) {
       is_triangle = false;
-      angle[i] = 4 * atan2(FT(1), FT(1));
+      angle[i] = pi();
       angle[j] = angle[k] = FT(0);
       cotangent = {0., 0., 0.};
       return;
     }
     // tan(A / 2) = r / (s - a), with the inradius r = sqrt((s - a) (s - b) (s - c) / s)
     const FT diameter = sqrt(FT(excess_a * (excess_b * excess_c) / perimeter));
-    angle[i] = 2 * atan2(diameter, excess_a);
     angle[j] = 2 * atan2(diameter, excess_b);
     angle[k] = 2 * atan2(diameter, excess_c);
+    angle[i] = pi() - (angle[j] + angle[k]); // at least pi / 3: no loss
     const double four_areas = static_cast<double>(FT(diameter * perimeter));
     const double bb = static_cast<double>(FT(b * b)), cc = static_cast<double>(FT(c * c));
     cotangent[i] = (bb + cc - 1) / four_areas;
     cotangent[j] = (1 + cc - bb) / four_areas;
     cotangent[k] = (1 + bb - cc) / four_areas;
+  }
+
+private:
+  static const FT& pi()
+  {
+    static const FT value = [] {
+      using std::atan2;
+      return FT(4 * atan2(FT(1), FT(1)));
+    }();
+    return value;
   }
 };
 

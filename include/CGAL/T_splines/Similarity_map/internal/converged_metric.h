@@ -54,12 +54,12 @@ void look_for_limit(const Metric_computation<FT>& computation, Similarity_map_re
     report.status = Similarity_map_status::SIGNATURE_OUT_OF_REACH;
 }
 
-/// continues a converged computation in the number type of the layout, to the floor of `double`'s factorizations: closing errors of a layout
-/// exceed the residual by orders of magnitude. The cost is a few evaluations.
-template <typename TriangleMesh, typename FlipPolicy, typename SolverTraits, typename Visitor>
+/// continues a converged computation in the number type of the layout, for one step: closing errors of a layout exceed the residual by orders of
+/// magnitude. The cost is two evaluations; the step is not counted as an iteration.
+template <typename TriangleMesh, typename FlipPolicy, typename SolverTraits>
 Metric_computation<Layout_number_type<double>> sharpened(const Metric_computation<double>& computation, const Metric_input& input,
                                                          const Mesh_indexing<TriangleMesh>& indexing, const FlipPolicy& policy, SolverTraits& solver,
-                                                         const Visitor& visitor, Similarity_map_report<TriangleMesh>& report)
+                                                         Similarity_map_report<TriangleMesh>& report)
 {
   using FT = Layout_number_type<double>;
   Metric_computation<FT> sharp(computation);
@@ -67,14 +67,15 @@ Metric_computation<Layout_number_type<double>> sharpened(const Metric_computatio
   Newton_limits limits;
   limits.tolerance = 1e-17;
   limits.number_of_iterations = computation.record.iterations + 1;
-  const Similarity_map_report<TriangleMesh> converged = report;
-  sharp.iterate(system, policy, solver, visitor, limits);
-  fill_report(sharp, system, indexing, report);
-  if (!(report.residual <= converged.residual)) {
-    report = converged;
+  Similarity_map_report<TriangleMesh> sharp_report = report;
+  sharp.iterate(system, policy, solver, Progress_visitor(), limits);
+  fill_report(sharp, system, indexing, sharp_report);
+  if (!(sharp_report.residual <= report.residual))
     return Metric_computation<FT>(computation);
-  }
-  report.status = converged.status;
+  report.residual = report.residual_history.back() = sharp_report.residual;
+  report.mantissa_bits = sharp_report.mantissa_bits;
+  report.vertex = sharp_report.vertex;
+  report.loop = sharp_report.loop;
   return sharp;
 }
 
@@ -92,8 +93,8 @@ void iterate_to_convergence(Metric_computation<FT>& computation, const Metric_in
   fill_report(computation, system, indexing, report);
   if (report.success()) {
     if constexpr (std::is_same<FT, double>::value && !std::is_same<Layout_number_type<double>, double>::value) {
-      if (!computation.structure.delaunay_edges.is_empty()) {
-        consume(sharpened(computation, input, indexing, policy, solver, visitor, report));
+      if (!computation.structure.delaunay_edges.is_empty() ) {
+        consume(sharpened(computation, input, indexing, policy, solver, report));
         return;
       }
     }
