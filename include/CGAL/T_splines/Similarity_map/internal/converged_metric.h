@@ -17,6 +17,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 namespace CGAL {
@@ -94,7 +95,9 @@ void iterate_to_convergence(Metric_computation<FT>& computation, const Metric_in
   if (report.success()) {
     if constexpr (std::is_same<FT, double>::value && !std::is_same<Layout_number_type<double>, double>::value) {
       if (!computation.structure.delaunay_edges.is_empty() ) {
-        consume(sharpened(computation, input, indexing, policy, solver, report));
+        const auto sharp = sharpened(computation, input, indexing, policy, solver, report);
+        computation = Metric_computation<FT>(); // its memory is wanted
+        consume(sharp);
         return;
       }
     }
@@ -136,15 +139,24 @@ Similarity_map_report<TriangleMesh> converged_metric(const TriangleMesh& mesh, c
   Newton_limits limits;
   limits.tolerance = choose_parameter(get_parameter(np, np_tags::residual_tolerance), limits.tolerance);
   limits.number_of_iterations = choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), limits.number_of_iterations);
-  auto&& solver = sparse_linear_solver(np);
+  // A solver of our own is given up, with its factorization, before what follows the metric asks for memory.
+  using Solver = decltype(sparse_linear_solver(np));
+  std::optional<std::decay_t<Solver>> own_solver;
+  std::decay_t<Solver>* solver = nullptr;
+  if constexpr (std::is_reference<Solver>::value)
+    solver = &sparse_linear_solver(np);
+  else
+    solver = &own_solver.emplace(sparse_linear_solver(np));
 
   visitor.begin_stage("similarity metric");
   const Metric_input input(indexing, signature, points);
   Metric_computation<FT> computation(input, tracks_edges);
   if (!computation.prepare(policy))
     return report;
-  iterate_to_convergence(computation, input, indexing, policy, solver, visitor, limits, report,
-                         [&](const auto& converged) { consume(input, converged); });
+  iterate_to_convergence(computation, input, indexing, policy, *solver, visitor, limits, report, [&](const auto& converged) {
+    own_solver.reset();
+    consume(input, converged);
+  });
   return report;
 }
 
