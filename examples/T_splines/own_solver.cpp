@@ -78,7 +78,7 @@ int main(int argc, char* argv[])
   Counting_solver solver;
   T::Similarity_metric<Mesh> metric;
   const auto report = T::compute_similarity_metric( // by reference: what it counts is wanted afterwards
-    mesh, signature, metric, CGAL::parameters::sparse_linear_solver(std::ref(solver)));
+      mesh, signature, metric, CGAL::parameters::sparse_linear_solver(std::ref(solver)));
   if (!report.success()) {
     std::cerr << mesh_file << ": " << message(report.status) << "\n";
     return EXIT_FAILURE;

@@ -40,8 +40,10 @@ int main(int argc, char* argv[])
   const std::string map_file = argc > 2 ? argv[2] : "seamless_similarity_map.obj";
   Mesh mesh, refined;
   const T::Mesh_reading_report reading = T::read_triangle_mesh(mesh_file, mesh);
-  if (!reading.success())
-    return failure(mesh_file, reading.status);
+  if (!reading.success()) {
+    std::cerr << mesh_file << ": " << describe(reading) << "\n";
+    return EXIT_FAILURE;
+  }
 
   const auto cross_field = mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:cross").first;
   const auto field_report = T::compute_smooth_cross_field(mesh, cross_field);
@@ -58,13 +60,13 @@ int main(int argc, char* argv[])
   const auto transition = refined.add_property_map<Mesh::Halfedge_index, Transition>("h:transition").first;
   const auto location = refined.add_property_map<Mesh::Vertex_index, Location>("v:location").first;
   const auto report = T::compute_seamless_similarity_map(
-    mesh, signature, refined, uv,
-    T::parameters::edge_is_cut_map(
-      is_cut, T::parameters::halfedge_transition_map(transition, T::parameters::vertex_location_map(location))));
+      mesh, signature, refined, uv,
+      T::parameters::edge_is_cut_map(
+          is_cut, T::parameters::halfedge_transition_map(transition, T::parameters::vertex_location_map(location))));
   if (!report.success())
     return failure(mesh_file, report.status);
-  std::cout << num_faces(mesh) << " faces, refined to " << num_faces(refined) << "; residual " << report.residual << " after "
-            << report.iterations << " iterations\n";
+  std::cout << num_faces(mesh) << " faces, refined to " << num_faces(refined) << "; residual " << report.residual
+            << " after " << report.iterations << " iterations\n";
 
   // Across the cut, the transition takes the coordinates of one side to those of the other.
   double seam_error = 0;

@@ -32,7 +32,8 @@ bool is_admissible(const Report& report)
     return true;
   std::cerr << message(report.status);
   if (report.status == CGAL::T_splines::Holonomy_signature_status::GAUSS_BONNET_VIOLATED)
-    std::cerr << ": component " << report.component << " has " << report.actual << " instead of " << report.expected;
+    std::cerr << "; in component " << report.component << " it is " << report.actual << " instead of "
+              << report.expected;
   std::cerr << "\n";
   return false;
 }
@@ -59,7 +60,7 @@ int main(int argc, char* argv[])
   else {
     // Gauss and Bonnet: 4 - k sums up to four times the Euler characteristic.
     const int characteristic =
-      static_cast<int>(num_vertices(mesh)) - static_cast<int>(num_edges(mesh)) + static_cast<int>(num_faces(mesh));
+        static_cast<int>(num_vertices(mesh)) - static_cast<int>(num_edges(mesh)) + static_cast<int>(num_faces(mesh));
     cones.emplace_back(*vertices(mesh).begin(), 4 - 4 * characteristic);
   }
 

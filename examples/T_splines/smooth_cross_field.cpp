@@ -38,7 +38,7 @@ int main(int argc, char* argv[])
   // One of the four directions of the cross in each face.
   const auto cross_field = mesh.add_property_map<Face, Kernel::Vector_3>("f:cross").first;
   const auto report = CGAL::T_splines::compute_smooth_cross_field(
-    mesh, cross_field, CGAL::T_splines::parameters::curvature_alignment(alignment));
+      mesh, cross_field, CGAL::T_splines::parameters::curvature_alignment(alignment));
   if (!report.success()) {
     std::cerr << mesh_file << ": " << message(report.status) << "\n";
     return EXIT_FAILURE;

@@ -46,7 +46,7 @@ int main(int argc, char* argv[])
   // The mesh's coordinates stay doubles, taken as exact; linear systems are solved in double, residuals evaluated in FT.
   T::Similarity_metric<Mesh, FT> metric;
   const auto report = T::compute_similarity_metric(
-    mesh, signature, metric, T::parameters::number_type(FT(), T::parameters::residual_tolerance(1e-40)));
+      mesh, signature, metric, T::parameters::number_type(FT(), T::parameters::residual_tolerance(1e-40)));
   if (!report.success()) {
     std::cerr << mesh_file << ": " << message(report.status) << ", residual " << report.residual << "\n";
     return EXIT_FAILURE;
@@ -54,7 +54,7 @@ int main(int argc, char* argv[])
   std::cout << "residual " << report.residual << " after " << report.iterations << " iterations, computed with "
             << report.mantissa_bits << " bits\n";
   std::cout.precision(std::numeric_limits<FT>::digits10);
-  std::cout << "logarithm of the scale factor at the second vertex, relative to the first: " << metric.log_scale(1) - metric.log_scale(0)
-            << "\n";
+  std::cout << "logarithm of the scale factor at the second vertex, relative to the first: "
+            << metric.log_scale(1) - metric.log_scale(0) << "\n";
   return EXIT_SUCCESS;
 }
