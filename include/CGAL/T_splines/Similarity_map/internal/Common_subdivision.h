@@ -50,12 +50,14 @@ public:
     m_result.place.resize(points.size());
     for (std::size_t v = 0; v < points.size(); ++v)
       m_result.place[v].index = static_cast<int>(v);
-    m_final_place.resize(points.size());
     merge_points();
     place_points();
     collect_chords();
+    // On a closed surface, each added vertex adds two triangles; crossings inside of middle triangles come on top.
+    m_triangles.reserve(middle.number_of_faces() + 2 * m_points.size());
     for (int f = 0; f < middle.number_of_faces(); ++f)
       subdivide(f);
+    release_intermediate_results();
     connect();
   }
 
@@ -69,6 +71,14 @@ private:
     int index = 0;              // edge e or face
     std::array<FT, 3> weight{}; // EDGE: source and target of 2e; FACE: targets of the halfedge of the face and its successors
   };
+
+  void release_intermediate_results()
+  {
+    m_points = {};
+    m_final_place = {};
+    m_rank_of_input = m_rank_of_final = m_first_begin = m_second_begin = {};
+    m_first_chords = m_second_chords = {};
+  }
 
   // A point on a middle edge: a crossing with the input, with the final triangulation, or with both in the same place.
   struct Edge_point {
@@ -158,6 +168,9 @@ private:
 
   void place_points()
   {
+    m_result.place.reserve(number_of_input_vertices() + m_points.size());
+    m_result.point.reserve(number_of_input_vertices() + m_points.size());
+    m_final_place.reserve(m_points.size());
     for (int e = 0; e < m_middle.number_of_edges(); ++e)
       for (int i = m_begin[e]; i < m_begin[e + 1]; ++i)
         add_node(input_place(e, i), final_place(e, i));
@@ -563,7 +576,7 @@ private:
   {
     if (node < number_of_input_vertices())
       return to_double(m_layout.position(m_last.previous(final_corner(side))));
-    const Final_place& place = m_final_place[node];
+    const Final_place& place = m_final_place[node - number_of_input_vertices()];
     if (place.kind == Kind::FACE) {
       CGAL_assertion(place.index == face);
       return uv_in_face(place);
@@ -621,15 +634,16 @@ private:
       CGAL_assertion(keys[i].first == keys[i ^ 1].first);
       halfedge[keys[i].second] = static_cast<int>(i);
     }
+    keys = {};
     Triangulation_connectivity& mesh = m_result.mesh;
     mesh.m_number_of_vertices = static_cast<int>(m_result.point.size());
-    mesh.m_next.resize(keys.size());
-    mesh.m_target.resize(keys.size());
-    mesh.m_face.resize(keys.size());
+    mesh.m_next.resize(halfedge.size());
+    mesh.m_target.resize(halfedge.size());
+    mesh.m_face.resize(halfedge.size());
     mesh.m_face_halfedge.resize(m_triangles.size());
-    m_result.uv.resize(keys.size());
-    m_result.input_halfedge.resize(keys.size());
-    m_result.final_halfedge.resize(keys.size());
+    m_result.uv.resize(halfedge.size());
+    m_result.input_halfedge.resize(halfedge.size());
+    m_result.final_halfedge.resize(halfedge.size());
     m_result.input_face.resize(m_triangles.size());
     for (int f = 0; f < number_of_triangles; ++f) {
       const Triangle& triangle = m_triangles[f];
@@ -645,6 +659,7 @@ private:
       mesh.m_face_halfedge[f] = halfedge[3 * f];
       m_result.input_face[f] = triangle.input_face;
     }
+    m_triangles = {};
   }
 
   const Triangulation_connectivity &m_input, &m_middle, &m_last;
@@ -657,7 +672,7 @@ private:
   std::vector<int> m_begin;                          // per middle edge, in m_points
   std::vector<Edge_point> m_points;
   std::vector<int> m_rank_of_input, m_rank_of_final; // per crossing: rank on its middle edge
-  std::vector<Final_place> m_final_place;            // per node
+  std::vector<Final_place> m_final_place;            // per node that is no vertex
   std::vector<int> m_first_begin, m_second_begin;    // per middle face
   std::vector<Triangle_chord> m_first_chords, m_second_chords;
   std::vector<Triangle> m_triangles;

@@ -46,7 +46,8 @@ public:
     const Input_crossings<FT> on_input(input.mesh, metric.middle, metric.input_on_middle, length);
     const Final_crossings<FT> on_final(metric.middle, last, metric.structure.delaunay_edges, convert(metric.log_penner()));
     visitor.begin_stage("subdivision");
-    Common_subdivision<FT> subdivision(input.mesh, input.point, metric.middle, last, on_input, on_final, convert(metric.structure.form), m_layout);
+    const auto& form = convert(metric.structure.form);
+    Common_subdivision<FT> subdivision(input.mesh, input.point, metric.middle, last, on_input, on_final, form, m_layout);
     m_refined = std::move(subdivision.result());
     m_cut.resize(m_refined.mesh.number_of_edges());
     for (int e = 0; e < m_refined.mesh.number_of_edges(); ++e)
@@ -74,6 +75,8 @@ public:
   }
 
 private:
+  static const std::vector<FT>& convert(const std::vector<FT>& from) { return from; }
+
   template <typename From>
   static std::vector<FT> convert(const std::vector<From>& from)
   {
