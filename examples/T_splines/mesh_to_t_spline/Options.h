@@ -27,7 +27,7 @@ Guidance (without any, a smooth cross field is computed):
   --field FILE              a cross field: .rawfield, .crossfield, .rosy or .ffield
   --cones FILE              cones: .cones, or total angles: .Th_hat
   --loops K1,K2,...         turning numbers of the homology loops, in quarter turns; with --cones
-  --align-curvature X       aligns the computed field to principal curvatures, X from 0 (not at all) to 1
+  --align-curvature X       aligns the computed field to principal curvatures: 0 not at all, 100 well
 Computation:
   --solver ldlt|cholmod     the sparse linear solver (ldlt)
   --flips delaunay|degeneracy|degeneracy-only
@@ -43,7 +43,7 @@ Output:
   --version, --help
 
 Exit code: 0 the map was computed and written, 1 the computation or the writing failed, 2 bad usage or bad input,
-130 interrupted. In all cases but 0 no file has been changed.
+130 interrupted. Files are written whole or not at all, and only when all has been computed.
 )";
 
 enum class Solver_choice { LDLT, CHOLMOD };
@@ -119,7 +119,7 @@ private:
     else if (m_name == "--loops")
       options.loops = integers(value());
     else if (m_name == "--align-curvature")
-      options.curvature_alignment = number(value(), 0, 1);
+      options.curvature_alignment = number(value(), 0, 1e9);
     else if (m_name == "--tolerance-residual")
       options.residual_tolerance = number(value(), 1e-300, 1);
     else if (m_name == "--max-iterations")

@@ -4,6 +4,8 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_SIMILARITY_MAP_REPORT_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_SIMILARITY_MAP_REPORT_H
 
+#include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
@@ -15,8 +17,8 @@ namespace T_splines {
 /// How the computation of a similarity map ended.
 enum class Similarity_map_status {
   CONVERGED,            ///< the residual is within the tolerance at every vertex and loop; everything asked for was written
-  INVALID_MESH,         ///< the mesh is refused: `check_triangle_mesh()` names the element
-  INVALID_SIGNATURE,    ///< the signature is refused: `check_holonomy_signature()` names the vertex, loop or component
+  INVALID_MESH,         ///< the mesh is refused: `signature.mesh` names the element
+  INVALID_SIGNATURE,    ///< the signature is refused: `signature` names the vertex, loop or component
   STALLED,              ///< no step reduces the residual any more, at `vertex` or `loop`
   ITERATION_LIMIT,      ///< the allowed number of iterations was not enough
   SIGNATURE_OUT_OF_REACH, ///< the scale periods approach the hyperbolic lengths of short loops: the mesh is too coarse for this signature
@@ -54,6 +56,8 @@ struct Similarity_map_report {
   static constexpr std::size_t no_loop = static_cast<std::size_t>(-1);
 
   Similarity_map_status status = Similarity_map_status::STALLED;
+
+  Holonomy_signature_report<TriangleMesh> signature; ///< the check of the input
 
   double residual = 0;                  ///< largest deviation (radians) from the signature over all vertices and loops
   std::vector<double> residual_history; ///< the residual before the first iteration and after each

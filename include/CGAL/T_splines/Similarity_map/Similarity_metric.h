@@ -55,8 +55,8 @@ public:
   const FT& log_length(const int e) const { return m_log_length[e]; }        ///< unscaled, of edge `e`
   FT form(const int h) const { return (h & 1) ? FT(-m_form[h >> 1]) : m_form[h >> 1]; } ///< xi of the halfedge `h`
 
-  /// phi at the vertex with index `i`, the i-th in the order of `vertices(mesh)`. On a surface of genus 0 it is the logarithm of the
-  /// conformal scale factor; otherwise it is continued over the loops of the signature with jumps.
+  /// phi at the vertex with index `i`, the i-th in the order of `vertices(mesh)`; 0 at the first vertex of each component. On a surface of genus 0
+  /// it is the logarithm of the conformal scale factor; otherwise it is continued over the loops of the signature with jumps.
   const FT& log_scale(const int i) const { return m_log_scale[i]; }
 
   /// returns the lengths of `halfedge(f)` and its two successors up to a common factor.

@@ -21,6 +21,9 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
+/// Below this residual, an iteration that gets no further has met the round-off of its number type.
+inline constexpr double near_residual = 1e-2;
+
 /// What bounds a Newton iteration.
 struct Newton_limits {
   double tolerance = 1e-12;     ///< on the largest residual
@@ -91,7 +94,7 @@ private:
     }
   }
 
-  // Notices that the residual has come down to its floor: near the solution, quadratic convergence has ended.
+  // Notices that the residual has come down to its floor: near the solution, where convergence ought to be quadratic, it has ended.
   class Stall_detector {
   public:
     bool is_stalled(const double residual)
@@ -101,7 +104,8 @@ private:
         m_unsuccessful = 0;
         return false;
       }
-      return ++m_unsuccessful > (m_best < 1e-6 ? 3 : 60);
+      ++m_unsuccessful;
+      return (m_best < 1e-6 && m_unsuccessful > 3) || (m_best < near_residual && m_unsuccessful > 10);
     }
 
   private:

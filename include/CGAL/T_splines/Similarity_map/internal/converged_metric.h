@@ -16,6 +16,7 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <type_traits>
@@ -41,6 +42,20 @@ struct Wider_number_type<double> {
 template <>
 struct Wider_number_type<long double> {
   using type = boost::multiprecision::cpp_bin_float_quad;
+};
+
+/// Forwards to a visitor, with a fraction that does not fall back when an iteration starts anew in a wider number type.
+template <typename Visitor>
+struct Monotone_progress {
+  const Visitor& visitor;
+  double& largest;
+
+  void progress(const double fraction) const
+  {
+    largest = std::max(largest, fraction);
+    visitor.progress(largest);
+  }
+  bool go_on() const { return visitor.go_on(); }
 };
 
 /// tells in `report` how close the scale periods of short loops have come to their limit.
@@ -87,8 +102,6 @@ void iterate_to_convergence(Metric_computation<FT>& computation, const Metric_in
                             const FlipPolicy& policy, SolverTraits& solver, const Visitor& visitor, const Newton_limits& limits,
                             Similarity_map_report<TriangleMesh>& report, Consume&& consume)
 {
-  // Above this residual, what stalls the iteration is not round-off.
-  constexpr double round_off = 1e-6;
   Newton_system<FT> system(input.component_of_vertex, input.quarter_turns);
   computation.iterate(system, policy, solver, visitor, limits);
   fill_report(computation, system, indexing, report);
@@ -104,11 +117,11 @@ void iterate_to_convergence(Metric_computation<FT>& computation, const Metric_in
     consume(computation);
     return;
   }
-  if (report.residual >= round_off && flips_by_ptolemy(policy) && report.status != Similarity_map_status::INTERRUPTED)
+  if (report.residual >= near_residual && flips_by_ptolemy(policy) && report.status != Similarity_map_status::INTERRUPTED)
     look_for_limit(computation, report);
   using Wider = typename Wider_number_type<FT>::type;
   if constexpr (!std::is_void<Wider>::value) {
-    if (report.status == Similarity_map_status::STALLED && report.residual < round_off) {
+    if (report.status == Similarity_map_status::STALLED && report.residual < near_residual) {
       Metric_computation<Wider> wide(computation);
       iterate_to_convergence(wide, input, indexing, policy, solver, visitor, limits, report, consume);
     }
@@ -126,10 +139,10 @@ Similarity_map_report<TriangleMesh> converged_metric(const TriangleMesh& mesh, c
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   Similarity_map_report<TriangleMesh> report;
-  const auto checked = check_holonomy_signature(mesh, signature, np);
-  if (!checked.success()) {
-    report.status = checked.status == Holonomy_signature_status::INVALID_MESH ? Similarity_map_status::INVALID_MESH
-                                                                              : Similarity_map_status::INVALID_SIGNATURE;
+  report.signature = check_holonomy_signature(mesh, signature, np);
+  if (!report.signature.success()) {
+    report.status = report.signature.status == Holonomy_signature_status::INVALID_MESH ? Similarity_map_status::INVALID_MESH
+                                                                                        : Similarity_map_status::INVALID_SIGNATURE;
     return report;
   }
   const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
@@ -151,9 +164,13 @@ Similarity_map_report<TriangleMesh> converged_metric(const TriangleMesh& mesh, c
   visitor.begin_stage("similarity metric");
   const Metric_input input(indexing, signature, points);
   Metric_computation<FT> computation(input, tracks_edges);
-  if (!computation.prepare(policy))
+  if (!computation.prepare(policy)) {
+    report.residual = std::numeric_limits<double>::infinity();
     return report;
-  iterate_to_convergence(computation, input, indexing, policy, *solver, visitor, limits, report, [&](const auto& converged) {
+  }
+  double fraction = 0;
+  const Monotone_progress<decltype(visitor)> progress{visitor, fraction};
+  iterate_to_convergence(computation, input, indexing, policy, *solver, progress, limits, report, [&](const auto& converged) {
     own_solver.reset();
     consume(input, converged);
   });
