@@ -20,7 +20,8 @@ struct Ideal_delaunay_flips {};
 /// A step ends where the first triangle degenerates; the longest edge of each degenerate triangle is flipped there. The
 /// iteration is not damped and can stall.
 struct Degeneracy_flips {
-  /// Whether the scaled metric's triangulation is made intrinsically Delaunay after each step ([CZ17] section 7.3.1, Remark).
+  /// Whether the scaled metric's triangulation is made intrinsically Delaunay after each step ([CZ17] section 7.3.1,
+  /// Remark).
   bool delaunay = false;
 };
 

@@ -28,7 +28,10 @@ public:
   /// \param scale s > 0
   /// \param u, v the translation t
   Similarity_2(const int quarter_turns, FT scale, FT u, FT v)
-    : m_quarter_turns(((quarter_turns % 4) + 4) % 4), m_scale(std::move(scale)), m_u(std::move(u)), m_v(std::move(v))
+    : m_quarter_turns(((quarter_turns % 4) + 4) % 4),
+      m_scale(std::move(scale)),
+      m_u(std::move(u)),
+      m_v(std::move(v))
   {
     CGAL_precondition(m_scale > FT(0));
   }

@@ -16,15 +16,15 @@ namespace T_splines {
 
 /// How the computation of a similarity map ended.
 enum class Similarity_map_status {
-  CONVERGED,            ///< the residual is within the tolerance at every vertex and loop; everything asked for was written
-  INVALID_MESH,         ///< the mesh is refused: `signature.mesh` names the element
-  INVALID_SIGNATURE,    ///< the signature is refused: `signature` names the vertex, loop or component
-  STALLED,              ///< no step reduces the residual any more, at `vertex` or `loop`
-  ITERATION_LIMIT,      ///< the allowed number of iterations was not enough
-  SIGNATURE_OUT_OF_REACH, ///< the scale periods approach the hyperbolic lengths of short loops: the mesh is too coarse for this signature
-  SOLVER_FAILED,        ///< the linear solver refused the system
-  LAYOUT_FAILED,        ///< the flat metric could not be laid out with positively oriented triangles in this number type
-  INTERRUPTED           ///< the visitor asked to stop
+  CONVERGED,    ///< the residual is within the tolerance at every vertex and loop; everything asked for was written
+  INVALID_MESH, ///< the mesh is refused: `signature.mesh` names the element
+  INVALID_SIGNATURE, ///< the signature is refused: `signature` names the vertex, loop or component
+  STALLED,           ///< no step reduces the residual any more, at `vertex` or `loop`
+  ITERATION_LIMIT,   ///< the allowed number of iterations was not enough
+  SIGNATURE_OUT_OF_REACH, ///< scale periods come close to hyperbolic lengths of loops: the mesh is too coarse
+  SOLVER_FAILED, ///< the linear solver refused the system
+  LAYOUT_FAILED, ///< the flat metric could not be laid out with positively oriented triangles in this number type
+  INTERRUPTED    ///< the visitor asked to stop
 };
 
 /// returns one sentence that explains `status`.
@@ -69,11 +69,14 @@ struct Similarity_map_report {
   std::size_t flips = 0;                ///< flips of the accepted steps
   int mantissa_bits = 53;               ///< precision of the number type in which the residual was evaluated at the end
 
-  vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< where the residual is largest, if at a vertex
-  std::size_t loop = no_loop;           ///< where the residual is largest, if at a loop
-  face_descriptor face = boost::graph_traits<TriangleMesh>::null_face(); ///< LAYOUT_FAILED: the input face that contains a triangle which is not positively oriented
-  double scale_period = 0;              ///< if the residual stayed large: of the scanned short loops, the one closest to its limit has this logarithm of a scale factor
-  double hyperbolic_length = 0;         ///< and this hyperbolic length, which must stay larger in absolute value
+  vertex_descriptor vertex =
+      boost::graph_traits<TriangleMesh>::null_vertex(); ///< where the residual is largest, if at a vertex
+  std::size_t loop = no_loop;                           ///< where the residual is largest, if at a loop
+  face_descriptor face = boost::graph_traits<TriangleMesh>::
+      null_face(); ///< LAYOUT_FAILED: the input face that contains a triangle which is not positively oriented
+  /// If the residual stayed large: of the scanned short loops, the one closest to its limit has this logarithm of a scale
+  /// factor, and this hyperbolic length, which must stay larger in absolute value.
+  double scale_period = 0, hyperbolic_length = 0;
 
   bool success() const { return status == Similarity_map_status::CONVERGED; }
 };

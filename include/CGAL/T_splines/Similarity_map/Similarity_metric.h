@@ -20,9 +20,10 @@ namespace T_splines {
 
 /// A flat metric with cones, up to similarity, on an intrinsic triangulation with the vertices of a mesh.
 ///
-/// The triangulation is given in indices and may be non-simple: edges may join a vertex to itself, and several edges the same two
-/// vertices. Halfedges `2e` and `2e + 1` belong to edge e. A closed 1-form xi scales the edges: on a simply connected piece,
-/// xi = d phi, the edge from i to j has the length exp(log_length + (phi_i + phi_j) / 2) ([CZ17] eq. (8)).
+/// The triangulation is given in indices and may be non-simple: edges may join a vertex to itself, and several edges
+/// the same two vertices. Halfedges `2e` and `2e + 1` belong to edge e. A closed 1-form xi scales the edges: on a
+/// simply connected piece, xi = d phi, the edge from i to j has the length exp(log_length + (phi_i + phi_j) / 2)
+/// ([CZ17] eq. (8)).
 /// \tparam TriangleMesh the mesh whose vertices the triangulation has
 /// \tparam FT_ a floating-point type
 template <typename TriangleMesh, typename FT_ = double>
@@ -36,27 +37,35 @@ public:
   /// \param vertices the mesh's vertices by index
   /// \param log_length per edge
   /// \param form xi of the halfedge 2e, per edge e
-  Similarity_metric(internal::Triangulation_connectivity connectivity, std::vector<vertex_descriptor> vertices, std::vector<FT> log_length,
-                    std::vector<FT> form, std::vector<FT> log_scale)
-    : m_mesh(std::move(connectivity)), m_vertices(std::move(vertices)), m_log_length(std::move(log_length)), m_form(std::move(form)),
+  Similarity_metric(internal::Triangulation_connectivity connectivity, std::vector<vertex_descriptor> vertices,
+                    std::vector<FT> log_length, std::vector<FT> form, std::vector<FT> log_scale)
+    : m_mesh(std::move(connectivity)),
+      m_vertices(std::move(vertices)),
+      m_log_length(std::move(log_length)),
+      m_form(std::move(form)),
       m_log_scale(std::move(log_scale))
-  {}
+  {
+  }
 
   int number_of_vertices() const { return m_mesh.number_of_vertices(); }
   int number_of_edges() const { return m_mesh.number_of_edges(); }
   int number_of_faces() const { return m_mesh.number_of_faces(); }
 
-  int opposite(const int h) const { return h ^ 1; }                          ///< the other halfedge of the edge of `h`
-  int next(const int h) const { return m_mesh.next(h); }                     ///< the next halfedge around the face, counter-clockwise
-  int face(const int h) const { return m_mesh.face(h); }                     ///< the face on the left of `h`
-  int halfedge(const int f) const { return m_mesh.halfedge_of_face(f); }     ///< a halfedge of face `f`
-  vertex_descriptor target(const int h) const { return m_vertices[m_mesh.target(h)]; } ///< the vertex of the mesh that `h` points to
+  int opposite(const int h) const { return h ^ 1; }      ///< the other halfedge of the edge of `h`
+  int next(const int h) const { return m_mesh.next(h); } ///< the next halfedge around the face, counter-clockwise
+  int face(const int h) const { return m_mesh.face(h); } ///< the face on the left of `h`
+  int halfedge(const int f) const { return m_mesh.halfedge_of_face(f); } ///< a halfedge of face `f`
+  vertex_descriptor target(const int h) const
+  {
+    return m_vertices[m_mesh.target(h)];
+  } ///< the vertex of the mesh that `h` points to
 
-  const FT& log_length(const int e) const { return m_log_length[e]; }        ///< unscaled, of edge `e`
+  const FT& log_length(const int e) const { return m_log_length[e]; }                   ///< unscaled, of edge `e`
   FT form(const int h) const { return (h & 1) ? FT(-m_form[h >> 1]) : m_form[h >> 1]; } ///< xi of the halfedge `h`
 
-  /// phi at the vertex with index `i`, the i-th in the order of `vertices(mesh)`; 0 at the first vertex of each component. On a surface of genus 0
-  /// it is the logarithm of the conformal scale factor; otherwise it is continued over the loops of the signature with jumps.
+  /// phi at the vertex with index `i`, the i-th in the order of `vertices(mesh)`; 0 at the first vertex of each
+  /// component. On a surface of genus 0 it is the logarithm of the conformal scale factor; otherwise it is continued
+  /// over the loops of the signature with jumps.
   const FT& log_scale(const int i) const { return m_log_scale[i]; }
 
   /// returns the lengths of `halfedge(f)` and its two successors up to a common factor.

@@ -37,7 +37,8 @@ template <typename FaceGraph>
 class Mesh_indexing {
   using Traits = boost::graph_traits<FaceGraph>;
   using Vertex_index_map = typename boost::property_map<FaceGraph, CGAL::dynamic_vertex_property_t<int>>::const_type;
-  using Halfedge_index_map = typename boost::property_map<FaceGraph, CGAL::dynamic_halfedge_property_t<int>>::const_type;
+  using Halfedge_index_map =
+      typename boost::property_map<FaceGraph, CGAL::dynamic_halfedge_property_t<int>>::const_type;
   using Face_index_map = typename boost::property_map<FaceGraph, CGAL::dynamic_face_property_t<int>>::const_type;
 
 public:

@@ -17,14 +17,15 @@ namespace internal {
 
 /// The arrangement of two families of straight chords in a triangle. The chords of a family do not cross each other.
 ///
-/// It is determined by the cyclic order of the chords' ends on the boundary alone: two chords cross if and only if their ends
-/// alternate, and the order of the crossings on a chord is that of the ends of the chords of the other family. So it needs no
-/// coordinates, and no round-off can make it inconsistent.
+/// It is determined by the cyclic order of the chords' ends on the boundary alone: two chords cross if and only if
+/// their ends alternate, and the order of the crossings on a chord is that of the ends of the chords of the other
+/// family. So it needs no coordinates, and no round-off can make it inconsistent.
 class Chord_arrangement {
 public:
   static constexpr int none = -1;
 
-  /// A chord from the boundary position `from` to the position `to`, part of the directed curve `curve`. \pre At least two apart.
+  /// A chord from the boundary position `from` to the position `to`, part of the directed curve `curve`. \pre At least
+  /// two apart.
   struct Chord {
     int from, to;
     int curve;
@@ -77,14 +78,15 @@ public:
   int node(const int h) const { return m_half_edges[h].from; }
   bool is_boundary(const int h) const { return h < m_number_of_boundary_half_edges; }
 
-  /// The curve of the first (second) family that the half-edge lies on, or `none`, and whether it is directed as the curve.
+  /// The curve of the first (second) family that the half-edge lies on, or `none`, and whether it is directed as the
+  /// curve.
   int first_curve(const int h) const { return m_half_edges[h].first; }
   int second_curve(const int h) const { return m_half_edges[h].second; }
   bool is_along_first(const int h) const { return m_half_edges[h].first_along; }
   bool is_along_second(const int h) const { return m_half_edges[h].second_along; }
 
-  /// The first half-edge that leaves the node of `h` when turning clockwise from `h`, `h` itself included, and lies on the second
-  /// family or on the boundary. \pre The node is a boundary position.
+  /// The first half-edge that leaves the node of `h` when turning clockwise from `h`, `h` itself included, and lies on
+  /// the second family or on the boundary. \pre The node is a boundary position.
   int second_or_boundary_clockwise(const int h) const
   {
     int i = m_rank[h];
@@ -125,9 +127,11 @@ private:
           m_crossings.push_back({static_cast<int>(i), static_cast<int>(j)});
         }
     for (std::size_t i = 0; i < first.size(); ++i)
-      sort_along(first[i], m_on_first[i], [&](const int c) -> const Chord& { return second[m_crossings[c].second_chord]; });
+      sort_along(first[i], m_on_first[i],
+                 [&](const int c) -> const Chord& { return second[m_crossings[c].second_chord]; });
     for (std::size_t j = 0; j < second.size(); ++j)
-      sort_along(second[j], m_on_second[j], [&](const int c) -> const Chord& { return first[m_crossings[c].first_chord]; });
+      sort_along(second[j], m_on_second[j],
+                 [&](const int c) -> const Chord& { return first[m_crossings[c].first_chord]; });
   }
 
   // Chords that cross `chord` and not each other meet it in the order of their ends on its right; those with one end in
@@ -151,7 +155,8 @@ private:
       int same = none;
       bool along = true;
       for (std::size_t i = 0; i < first.size(); ++i)
-        if ((first[i].from == chord.from && first[i].to == chord.to) || (first[i].from == chord.to && first[i].to == chord.from)) {
+        if ((first[i].from == chord.from && first[i].to == chord.to) ||
+            (first[i].from == chord.to && first[i].to == chord.from)) {
           is_merged[i] = 1;
           same = first[i].curve;
           along = first[i].from == chord.from;
@@ -163,7 +168,8 @@ private:
         add_chord(first[i], m_on_first[i], first[i].curve, none, true);
   }
 
-  void add_chord(const Chord& chord, const std::vector<int>& crossings, const int first, const int second, const bool first_along)
+  void add_chord(const Chord& chord, const std::vector<int>& crossings, const int first, const int second,
+                 const bool first_along)
   {
     int from = chord.from;
     const auto add = [&](const int to) {
@@ -176,7 +182,8 @@ private:
     add(chord.to);
   }
 
-  // m_around: the half-edges sorted by their node, counter-clockwise around it; at a boundary position from the next boundary edge to the last one.
+  // m_around: the half-edges sorted by their node, counter-clockwise around it; at a boundary position from the next
+  // boundary edge to the last one.
   void sort_around_nodes()
   {
     m_around.resize(m_half_edges.size());
@@ -211,7 +218,6 @@ private:
   std::vector<std::vector<int>> m_on_first, m_on_second; // crossings per chord, sorted
   std::vector<int> m_around, m_rank, m_node_begin, m_cell;
   std::vector<char> m_is_visited;
-
 };
 
 } // namespace internal

@@ -14,7 +14,8 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// A cell of the common subdivision: convex in its input face and in the plane of the map, possibly with straight corners.
+/// A cell of the common subdivision: convex in its input face and in the plane of the map, possibly with straight
+/// corners.
 class Convex_cell {
 public:
   struct Corner {
@@ -28,11 +29,15 @@ public:
   void add(const Corner& corner) { m_corners.push_back(corner); }
 
   /// gives the input face, whose normal orients the cell.
-  void set_plane(const std::array<double, 3>& p, const std::array<double, 3>& q, const std::array<double, 3>& r) { m_normal = cross(p, q, r); }
+  void set_plane(const std::array<double, 3>& p, const std::array<double, 3>& q, const std::array<double, 3>& r)
+  {
+    m_normal = cross(p, q, r);
+  }
 
   /// calls `visit(p, q, r)` for the triangles of a triangulation without new vertices. Diagonals have the halfedges -1.
   ///
-  /// The ears with the best shape in both geometries are cut first: straight corners are left to the base of other ears.
+  /// The ears with the best shape in both geometries are cut first: straight corners are left to the base of other
+  /// ears.
   template <typename Visitor>
   void triangulate(Visitor&& visit)
   {
@@ -60,7 +65,8 @@ public:
   }
 
 private:
-  static std::array<double, 3> cross(const std::array<double, 3>& p, const std::array<double, 3>& q, const std::array<double, 3>& r)
+  static std::array<double, 3> cross(const std::array<double, 3>& p, const std::array<double, 3>& q,
+                                     const std::array<double, 3>& r)
   {
     const double a0 = q[0] - p[0], a1 = q[1] - p[1], a2 = q[2] - p[2];
     const double b0 = r[0] - p[0], b1 = r[1] - p[1], b2 = r[2] - p[2];
@@ -68,7 +74,8 @@ private:
   }
 
   template <std::size_t N>
-  static double longest_square(const std::array<double, N>& p, const std::array<double, N>& q, const std::array<double, N>& r)
+  static double longest_square(const std::array<double, N>& p, const std::array<double, N>& q,
+                               const std::array<double, N>& r)
   {
     double pq = 0, qr = 0, rp = 0;
     for (std::size_t k = 0; k < N; ++k) {
@@ -79,8 +86,8 @@ private:
     return std::max(pq, std::max(qr, rp));
   }
 
-  // Twice the signed area by the square of the longest side, the smaller of both geometries; of what is left over without the
-  // ear, if that is a triangle, too.
+  // Twice the signed area by the square of the longest side, the smaller of both geometries; of what is left over
+  // without the ear, if that is a triangle, too.
   double ear_shape(const std::size_t i) const
   {
     const std::size_t n = m_corners.size();

@@ -18,8 +18,10 @@ namespace internal {
 
 /// The transitions across the cut of a layout, one per branch.
 ///
-/// A branch is a maximal path of cut edges whose inner vertices meet two cut edges and have trivial holonomy. Rotations are exact;
-/// scale factors are products of exp(c_j) with integer exponents, so exactly 1 off the loops' classes; the translation is the mean over the branch.
+/// A branch is a maximal path of cut edges whose inner vertices meet two cut edges and have trivial holonomy. Rotations
+/// are exact;
+/// scale factors are products of exp(c_j) with integer exponents, so exactly 1 off the loops' classes; the translation
+/// is the mean over the branch.
 template <typename FT>
 class Cut_transitions {
   using Index = Triangulation_connectivity::Index;
@@ -28,7 +30,10 @@ public:
   /// \param coefficients c per loop
   Cut_transitions(const Triangulation_connectivity& mesh, const Dual_loops& loops, const Flat_layout<FT>& layout,
                   const std::vector<int>& quarter_turns, const std::vector<FT>& coefficients)
-    : m_mesh(mesh), m_layout(layout), m_branch(mesh.number_of_edges(), -1), m_is_along(mesh.number_of_edges(), 1)
+    : m_mesh(mesh),
+      m_layout(layout),
+      m_branch(mesh.number_of_edges(), -1),
+      m_is_along(mesh.number_of_edges(), 1)
   {
     // An inner vertex of a branch knows the halfedge of its other cut edge by that of the first.
     std::vector<std::vector<Index>> cut_halfedges(mesh.number_of_vertices());

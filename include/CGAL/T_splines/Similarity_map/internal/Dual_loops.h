@@ -19,8 +19,9 @@ namespace internal {
 
 /// Closed strips of triangles on a triangulation whose edges are flipped.
 ///
-/// A loop is a cyclic doubly linked list of passages, each the halfedge by which the loop enters a face. The passages over
-/// an edge are linked as well, so that a flip reroutes the loops at the cost of the passages through its two triangles.
+/// A loop is a cyclic doubly linked list of passages, each the halfedge by which the loop enters a face. The passages
+/// over an edge are linked as well, so that a flip reroutes the loops at the cost of the passages through its two
+/// triangles.
 class Dual_loops {
   using Index = Triangulation_connectivity::Index;
 
@@ -59,8 +60,8 @@ public:
       visit(m_passages[i].loop, (m_passages[i].halfedge & 1) ? -1 : 1);
   }
 
-  /// calls `visit(h, turns_left)` for each triangle of a loop: `h` is the halfedge by which it is entered, and the corner that
-  /// the loop passes is the source of `h` if it turns left there, else its target.
+  /// calls `visit(h, turns_left)` for each triangle of a loop: `h` is the halfedge by which it is entered, and the
+  /// corner that the loop passes is the source of `h` if it turns left there, else its target.
   template <typename Visitor>
   void for_each_corner(const Triangulation_connectivity& mesh, const int loop, Visitor&& visit) const
   {

@@ -31,7 +31,8 @@ struct Triangle_chord {
 class Halfedge_by_number {
 public:
   explicit Halfedge_by_number(const Triangulation_connectivity& mesh)
-    : m_begin(mesh.number_of_vertices() + 1, 0), m_halfedge(mesh.number_of_halfedges())
+    : m_begin(mesh.number_of_vertices() + 1, 0),
+      m_halfedge(mesh.number_of_halfedges())
   {
     const std::vector<int> outgoing = mesh.outgoing_halfedges();
     int count = 0;
@@ -60,24 +61,25 @@ template <typename FT>
 class Input_crossings {
 public:
   struct Point {
-    FT t;           ///< place on the middle edge e: 0 at the source of halfedge 2e, 1 at the target
-    FT s;           ///< place on the input edge: 0 at the source of `input_halfedge`, 1 at its target
+    FT t;               ///< place on the middle edge e: 0 at the source of halfedge 2e, 1 at the target
+    FT s;               ///< place on the input edge: 0 at the source of `input_halfedge`, 1 at its target
     int input_halfedge; ///< whose face the halfedge 2e enters there
   };
 
   /// A maximal run of an input edge over the middle triangulation, from end to end.
   struct Curve {
     int input_halfedge;
-    int first_corner, last_corner;    ///< middle halfedges: the curve starts (ends) at their sources
-    std::vector<int> exits;           ///< middle halfedges by which it leaves the triangles
-    std::vector<int> points;          ///< point numbers
+    int first_corner, last_corner; ///< middle halfedges: the curve starts (ends) at their sources
+    std::vector<int> exits;        ///< middle halfedges by which it leaves the triangles
+    std::vector<int> points;       ///< point numbers
   };
 
   /// \param coordinates of the input edges on the middle triangulation; empty if the two are the same
   /// \param length of the input's edges
   Input_crossings(const Triangulation_connectivity& input, const Triangulation_connectivity& middle,
                   const Normal_coordinates& coordinates, const std::vector<FT>& length)
-    : m_begin(middle.number_of_edges() + 1, 0), m_input_of_middle(middle.number_of_halfedges(), Triangulation_connectivity::null)
+    : m_begin(middle.number_of_edges() + 1, 0),
+      m_input_of_middle(middle.number_of_halfedges(), Triangulation_connectivity::null)
   {
     if (coordinates.is_empty()) {
       for (int h = 0; h < middle.number_of_halfedges(); ++h)
@@ -102,28 +104,30 @@ public:
   int input_halfedge(const int h) const { return m_input_of_middle[h]; }
 
 private:
-  void trace(const Triangulation_connectivity& input, const Triangulation_connectivity& middle, const Normal_coordinates& coordinates)
+  void trace(const Triangulation_connectivity& input, const Triangulation_connectivity& middle,
+             const Normal_coordinates& coordinates)
   {
     const Halfedge_by_number input_halfedge(input);
     coordinates.for_each_reference_halfedge(
-      middle,
-      [&](const int v, const int k, const Normal_coordinates::Curve& traced) {
-        const int h = input_halfedge(v, k);
-        if (h & 1)
-          return;
-        Curve curve{h, traced.first_corner, traced.last_corner, {}, {}};
-        for (const Normal_coordinates::Crossing& crossing : traced.crossings) {
-          const int exit = crossing.halfedge, e = exit >> 1;
-          const int from_source = static_cast<int>(crossing.position);
-          const int i = (exit & 1) ? m_begin[e + 1] - 1 - from_source : m_begin[e] + from_source;
-          // The curve leaves by `exit` to its right: `exit` crosses the curve from its right to its left, into the face of h.
-          m_points[i].input_halfedge = (exit & 1) ? h + 1 : h;
-          curve.exits.push_back(exit);
-          curve.points.push_back(i);
-        }
-        m_curves.push_back(std::move(curve));
-      },
-      [&](const int v, const int k, const int h) { m_input_of_middle[h] = input_halfedge(v, k); });
+        middle,
+        [&](const int v, const int k, const Normal_coordinates::Curve& traced) {
+          const int h = input_halfedge(v, k);
+          if (h & 1)
+            return;
+          Curve curve{h, traced.first_corner, traced.last_corner, {}, {}};
+          for (const Normal_coordinates::Crossing& crossing : traced.crossings) {
+            const int exit = crossing.halfedge, e = exit >> 1;
+            const int from_source = static_cast<int>(crossing.position);
+            const int i = (exit & 1) ? m_begin[e + 1] - 1 - from_source : m_begin[e] + from_source;
+            // The curve leaves by `exit` to its right: `exit` crosses the curve from its right to its left, into the
+            // face of h.
+            m_points[i].input_halfedge = (exit & 1) ? h + 1 : h;
+            curve.exits.push_back(exit);
+            curve.points.push_back(i);
+          }
+          m_curves.push_back(std::move(curve));
+        },
+        [&](const int v, const int k, const int h) { m_input_of_middle[h] = input_halfedge(v, k); });
   }
 
   // Unfolds the input triangles that middle edge e runs through and intersects.
@@ -179,21 +183,23 @@ private:
   std::vector<int> m_input_of_middle;
 };
 
-/// Where the edges of the final triangulation cross those of the middle one: both are geodesics of the ideal hyperbolic metric
-/// that Penner's coordinates define, straight in each other's triangles in the Klein model whose horizon is the circumcircle.
+/// Where the edges of the final triangulation cross those of the middle one: both are geodesics of the ideal hyperbolic
+/// metric that Penner's coordinates define, straight in each other's triangles in the Klein model whose horizon is the
+/// circumcircle.
 ///
-/// With a light-like vector for each corner, of products -l^2/2 with each other, an edge's points are the positive combinations of
-/// its ends. If a-b crosses c-d, the point has on c-d the weights l_ad l_bd : l_ac l_bc, and on a-b l_bc l_bd : l_ac l_ad. The
-/// lengths from a and b to the vertices along the strip follow by Ptolemy's formula, by sums and products of positive numbers only: each
-/// crossing has nearly full relative accuracy. Everything is kept in logarithms.
+/// With a light-like vector for each corner, of products -l^2/2 with each other, an edge's points are the positive
+/// combinations of its ends. If a-b crosses c-d, the point has on c-d the weights l_ad l_bd : l_ac l_bc, and on a-b
+/// l_bc l_bd : l_ac l_ad. The lengths from a and b to the vertices along the strip follow by Ptolemy's formula, by sums
+/// and products of positive numbers only: each crossing has nearly full relative accuracy. Everything is kept in
+/// logarithms.
 /// \tparam FT a floating-point type
 template <typename FT>
 class Final_crossings {
 public:
   struct Point {
-    FT t;                          ///< place on the middle edge e, in the Euclidean metric: 0 at the source of halfedge 2e, 1 at the target
-    int final_halfedge;            ///< it crosses the halfedge 2e from its right to its left
-    FT weight_source, weight_target; ///< of the ends of the final edge's even halfedge, for the point with weights 1 - t, t on the middle edge
+    FT t; ///< place on the middle edge e, in the Euclidean metric: 0 at the source of halfedge 2e, 1 at the target
+    int final_halfedge; ///< it crosses the halfedge 2e from its right to its left
+    FT weight_source, weight_target; ///< of the ends of the final edge, for the point with 1 - t, t on the middle edge
   };
 
   /// \param coordinates of the middle edges on the final triangulation
@@ -217,23 +223,23 @@ public:
       m_corner[middle_halfedge(v, k)] = h;
     };
     coordinates.for_each_reference_halfedge(
-      last,
-      [&](const int v, const int k, const Normal_coordinates::Curve& curve) {
-        const int h = middle_halfedge(v, k);
-        m_corner[h] = curve.first_corner;
-        number_of_points[h >> 1] = static_cast<int>(curve.crossings.size());
-      },
-      shared);
+        last,
+        [&](const int v, const int k, const Normal_coordinates::Curve& curve) {
+          const int h = middle_halfedge(v, k);
+          m_corner[h] = curve.first_corner;
+          number_of_points[h >> 1] = static_cast<int>(curve.crossings.size());
+        },
+        shared);
     for (int e = 0; e < middle.number_of_edges(); ++e)
       m_begin[e + 1] = m_begin[e] + number_of_points[e];
     coordinates.for_each_reference_halfedge(
-      last,
-      [&](const int v, const int k, const Normal_coordinates::Curve& curve) {
-        const int h = middle_halfedge(v, k);
-        if (!(h & 1))
-          locate(last, log_length, h >> 1, curve);
-      },
-      [](int, int, int) {});
+        last,
+        [&](const int v, const int k, const Normal_coordinates::Curve& curve) {
+          const int h = middle_halfedge(v, k);
+          if (!(h & 1))
+            locate(last, log_length, h >> 1, curve);
+        },
+        [](int, int, int) {});
   }
 
   /// The points on middle edge e, in the order of t: numbers begin(e) to begin(e + 1) - 1.
@@ -241,14 +247,16 @@ public:
   const Point& point(const int i) const { return m_points[i]; }
   int middle_edge(const int i) const { return m_middle_edge[i]; }
 
-  /// The points on the final edge e, from the source of 2e: numbers `point_on_final(i)`, i from begin_on_final(e) to begin_on_final(e + 1) - 1.
+  /// The points on the final edge e, from the source of 2e: numbers `point_on_final(i)`, i from begin_on_final(e) to
+  /// begin_on_final(e + 1) - 1.
   int begin_on_final(const int e) const { return m_begin_on_final[e]; }
   int point_on_final(const int i) const { return m_point_on_final[i]; }
 
   /// The final halfedge that the middle halfedge `h` coincides with, or `null`.
   int final_halfedge(const int h) const { return m_final_of_middle[h]; }
 
-  /// The corner of the final triangulation, as the halfedge that leaves it, in which the sector to the left of the middle halfedge `h` starts.
+  /// The corner of the final triangulation, as the halfedge that leaves it, in which the sector to the left of the
+  /// middle halfedge `h` starts.
   int corner(const int h) const { return m_corner[h]; }
 
 private:
@@ -260,8 +268,8 @@ private:
   }
 
   // Fills m_log_source and m_log_target: log-lengths from the end of the curve to the ends of the edges it crosses.
-  void lengths_from_end(const Triangulation_connectivity& last, const std::vector<FT>& lambda, const std::vector<int>& exits,
-                        std::vector<FT>& log_source, std::vector<FT>& log_target) const
+  void lengths_from_end(const Triangulation_connectivity& last, const std::vector<FT>& lambda,
+                        const std::vector<int>& exits, std::vector<FT>& log_source, std::vector<FT>& log_target) const
   {
     log_source.resize(exits.size());
     log_target.resize(exits.size());
@@ -273,8 +281,9 @@ private:
         return;
       const int entry = exits[i] ^ 1;
       // from the source of `exits[i]` to the apex: next(entry); from there to its target: previous(entry)
-      const FT to_apex = log_of_sum(FT(lambda[last.previous(entry) >> 1] + to_source),
-                                    FT(lambda[last.next(entry) >> 1] + to_target)) - lambda[entry >> 1];
+      const FT to_apex =
+          log_of_sum(FT(lambda[last.previous(entry) >> 1] + to_source), FT(lambda[last.next(entry) >> 1] + to_target)) -
+          lambda[entry >> 1];
       if (exits[i + 1] == last.next(entry))
         to_target = to_apex;
       else
@@ -282,7 +291,8 @@ private:
     }
   }
 
-  void locate(const Triangulation_connectivity& last, const std::vector<FT>& lambda, const int e, const Normal_coordinates::Curve& curve)
+  void locate(const Triangulation_connectivity& last, const std::vector<FT>& lambda, const int e,
+              const Normal_coordinates::Curve& curve)
   {
     using std::exp;
     const std::size_t n = curve.crossings.size();
@@ -295,7 +305,8 @@ private:
     lengths_from_end(last, lambda, m_exits, m_a_source, m_a_target);
     lengths_from_end(last, lambda, m_reverse_exits, m_b_target, m_b_source);
     // a to b: over the first edge crossed, to the vertex b behind the last one
-    const FT a_b = log_of_sum(FT(m_a_source[0] + m_b_target[n - 1]), FT(m_a_target[0] + m_b_source[n - 1])) - lambda[m_exits[0] >> 1];
+    const FT a_b = log_of_sum(FT(m_a_source[0] + m_b_target[n - 1]), FT(m_a_target[0] + m_b_source[n - 1])) -
+                   lambda[m_exits[0] >> 1];
     for (std::size_t i = 0; i < n; ++i) {
       const int exit = m_exits[i], edge = exit >> 1;
       const FT a_c = m_a_source[i], a_d = m_a_target[i], b_c = m_b_source[n - 1 - i], b_d = m_b_target[n - 1 - i];
@@ -311,7 +322,8 @@ private:
       point.weight_target = (exit & 1) ? weight_c : weight_d;
       m_middle_edge[number] = e;
       const int from_source = static_cast<int>(curve.crossings[i].position);
-      m_point_on_final[(exit & 1) ? m_begin_on_final[edge + 1] - 1 - from_source : m_begin_on_final[edge] + from_source] = number;
+      m_point_on_final[(exit & 1) ? m_begin_on_final[edge + 1] - 1 - from_source
+                                  : m_begin_on_final[edge] + from_source] = number;
     }
     for (int i = m_begin[e] + 1; i < m_begin[e + 1]; ++i)
       m_points[i].t = std::max(m_points[i].t, m_points[i - 1].t);

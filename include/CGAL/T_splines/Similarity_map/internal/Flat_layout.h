@@ -42,8 +42,9 @@ struct Plane_vector {
 
 /// The flat metric of a similarity structure laid out in the plane over a cut.
 ///
-/// Faces are laid out breadth first. The edges that the dual tree does not cross form the cut; branches that end at a vertex
-/// around which the transitions are trivial are sewn up again. Between two of its cut edges, all corners at a vertex share one point.
+/// Faces are laid out breadth first. The edges that the dual tree does not cross form the cut; branches that end at a
+/// vertex around which the transitions are trivial are sewn up again. Between two of its cut edges, all corners at a
+/// vertex share one point.
 /// \tparam FT number type of the plane
 template <typename FT>
 class Flat_layout {
@@ -72,9 +73,18 @@ public:
   /// The point of the target of `h` in the chart of the face of `h`.
   const Vector& position(const Index h) const { return m_position[h]; }
 
+  /// The same, rounded.
+  std::array<double, 2> uv(const Index h) const { return to_double(m_position[h]); }
+
+  static std::array<double, 2> to_double(const Vector& p)
+  {
+    return {{static_cast<double>(p.u), static_cast<double>(p.v)}};
+  }
+
   bool is_cut(const Index edge) const { return m_is_cut[edge] != 0; }
 
-  /// Rotation of the transition from the chart of the face of `h` to that of its opposite, in quarter turns, from the positions.
+  /// Rotation of the transition from the chart of the face of `h` to that of its opposite, in quarter turns, from the
+  /// positions.
   int quarter_turns(const Index h) const
   {
     const Index g = Triangulation_connectivity::opposite(h);
@@ -86,8 +96,8 @@ public:
     return sine > 0 ? 1 : 3;
   }
 
-  /// Exponents n of the transition's scale factor from the chart of the face of `h` to that of its opposite: it is exp(sum_j n_j c_j).
-  /// Complexity: linear in the depth of the dual tree.
+  /// Exponents n of the transition's scale factor from the chart of the face of `h` to that of its opposite: it is
+  /// exp(sum_j n_j c_j). Complexity: linear in the depth of the dual tree.
   std::vector<int> scale_exponents(const Dual_loops& loops, const Index h) const
   {
     // phi at the source of h, continued to the root on both sides.
@@ -134,7 +144,8 @@ private:
   }
 
   template <typename StructureFT>
-  void place_root(const Similarity_structure<StructureFT>& structure, const std::vector<StructureFT>& coefficients, const Index f)
+  void place_root(const Similarity_structure<StructureFT>& structure, const std::vector<StructureFT>& coefficients,
+                  const Index f)
   {
     using std::exp;
     const Index h = m_mesh.halfedge_of_face(f);
@@ -155,7 +166,8 @@ private:
     const FT log_h = FT(structure.log_length[h >> 1]) + (xi_k - xi_j) / 6;
     const FT log_j = FT(structure.log_length[j >> 1]) + (xi_h - xi_k) / 6;
     const FT log_k = FT(structure.log_length[k >> 1]) + (xi_j - xi_h) / 6;
-    const FT a = exp(FT(log_j - log_h)), b = exp(FT(log_k - log_h)); // sides at the target and at the source of h; h is 1
+    const FT a = exp(FT(log_j - log_h)),
+             b = exp(FT(log_k - log_h)); // sides at the target and at the source of h; h is 1
     const FT along = (1 + (a - b) * (a + b)) / 2;
     const FT product = ((1 + (a + b)) * (1 + (a - b))) * ((a + b) - 1) * (1 - (a - b));
     const FT across = product > 0 ? FT(sqrt(product) / 2) : FT(0);
@@ -219,13 +231,12 @@ private:
 
   void add_passages(const Dual_loops& loops, const Index h, const int factor, std::vector<int>& exponents) const
   {
-    loops.for_each_passage(h >> 1, [&](const int loop, const int sign) {
-      exponents[loop] += factor * ((h & 1) ? -sign : sign);
-    });
+    loops.for_each_passage(
+        h >> 1, [&](const int loop, const int sign) { exponents[loop] += factor * ((h & 1) ? -sign : sign); });
   }
 
-  // Moves the corner at the source of `h`, in the face of h, along edges to a corner of the root face and adds the passages of the
-  // loops over these edges. \return the halfedge of the root face whose source is the corner reached.
+  // Moves the corner at the source of `h`, in the face of h, along edges to a corner of the root face and adds the
+  // passages of the loops over these edges. \return the halfedge of the root face whose source is the corner reached.
   Index walk_to_root(const Dual_loops& loops, Index h, const int factor, std::vector<int>& exponents) const
   {
     while (true) {
@@ -237,7 +248,8 @@ private:
         h = entry;
       }
       // The same vertex in the parent face.
-      h = h == entry ? m_mesh.next(Triangulation_connectivity::opposite(entry)) : Triangulation_connectivity::opposite(entry);
+      h = h == entry ? m_mesh.next(Triangulation_connectivity::opposite(entry))
+                     : Triangulation_connectivity::opposite(entry);
     }
   }
 

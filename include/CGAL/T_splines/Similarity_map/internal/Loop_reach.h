@@ -20,8 +20,8 @@ namespace internal {
 
 /// The scale period of a closed strip of triangles, and its length in the hyperbolic metric of Penner's coordinates.
 ///
-/// An ideal Delaunay triangulation of the scaled metric exists only while the first is smaller than the second for every closed curve. Both
-/// depend on the homotopy class of the strip alone and do not change under Ptolemy flips.
+/// An ideal Delaunay triangulation of the scaled metric exists only while the first is smaller than the second for
+/// every closed curve. Both depend on the homotopy class of the strip alone and do not change under Ptolemy flips.
 template <typename FT>
 struct Loop_reach {
   double period = 0; ///< logarithm of the scale factor along the strip
@@ -49,10 +49,11 @@ struct Loop_reach {
         m[2] += m[3];
       }
       const Index g = Triangulation_connectivity::opposite(exit);
-      const double shear = static_cast<double>(FT(lambda[mesh.next(exit) >> 1] + lambda[mesh.next(g) >> 1] - lambda[mesh.previous(exit) >> 1] -
-                                                  lambda[mesh.previous(g) >> 1]));
+      const double shear = static_cast<double>(FT(lambda[mesh.next(exit) >> 1] + lambda[mesh.next(g) >> 1] -
+                                                  lambda[mesh.previous(exit) >> 1] - lambda[mesh.previous(g) >> 1]));
       // diag(exp(shear / 2), exp(-shear / 2)) with its larger entry taken out
-      const double smaller = std::exp(-std::abs(shear)), first = shear > 0 ? 1. : smaller, second = shear > 0 ? smaller : 1.;
+      const double smaller = std::exp(-std::abs(shear)), first = shear > 0 ? 1. : smaller,
+                   second = shear > 0 ? smaller : 1.;
       m = {m[0] * first, m[1] * second, m[2] * first, m[3] * second};
       log_scale += std::abs(shear) / 2;
       const double size = m[0] + m[1] + m[2] + m[3];
@@ -61,14 +62,15 @@ struct Loop_reach {
       log_scale += std::log(size);
     }
     const double log_half_trace = std::log(m[0] + m[3]) + log_scale - std::log(2.);
-    length = log_half_trace > 300 ? 2 * (log_half_trace + std::log(2.)) : 2 * std::acosh(std::max(1., std::exp(log_half_trace)));
+    length = log_half_trace > 300 ? 2 * (log_half_trace + std::log(2.))
+                                  : 2 * std::acosh(std::max(1., std::exp(log_half_trace)));
   }
 
   double ratio() const { return length > 1e-9 ? std::abs(period) / length : 0; }
 };
 
-/// scans short closed strips of the current triangulation and returns the one with the largest ratio of period to length: how close the
-/// structure has come to the limit of what its mesh can carry. A scan, not a proof.
+/// scans short closed strips of the current triangulation and returns the one with the largest ratio of period to
+/// length: how close the structure has come to the limit of what its mesh can carry. A scan, not a proof.
 template <typename FT>
 Loop_reach<FT> largest_loop_reach(const Similarity_structure<FT>& structure)
 {

@@ -22,22 +22,36 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-inline constexpr bool makes_delaunay(const Ideal_delaunay_flips&) { return true; }
-inline constexpr bool makes_delaunay(const Degeneracy_flips& policy) { return policy.delaunay; }
-inline constexpr bool flips_by_ptolemy(const Ideal_delaunay_flips&) { return true; }
-inline constexpr bool flips_by_ptolemy(const Degeneracy_flips&) { return false; }
+inline constexpr bool makes_delaunay(const Ideal_delaunay_flips&)
+{
+  return true;
+}
+inline constexpr bool makes_delaunay(const Degeneracy_flips& policy)
+{
+  return policy.delaunay;
+}
+inline constexpr bool flips_by_ptolemy(const Ideal_delaunay_flips&)
+{
+  return true;
+}
+inline constexpr bool flips_by_ptolemy(const Degeneracy_flips&)
+{
+  return false;
+}
 
 /// What a similarity metric is computed from, in indices.
 struct Metric_input {
   Triangulation_connectivity mesh;
-  std::vector<std::array<double, 3>> point;     ///< per vertex
+  std::vector<std::array<double, 3>> point; ///< per vertex
   std::vector<int> component_of_vertex;
   std::vector<std::vector<int>> loops;
-  std::vector<int> quarter_turns;               ///< per vertex, then per loop
+  std::vector<int> quarter_turns; ///< per vertex, then per loop
 
   template <typename TriangleMesh, typename VertexPointMap>
-  Metric_input(const Mesh_indexing<TriangleMesh>& indexing, const Holonomy_signature<TriangleMesh>& signature, const VertexPointMap& points)
-    : mesh(triangulation_connectivity(indexing)), component_of_vertex(mesh_components(mesh).of_vertex)
+  Metric_input(const Mesh_indexing<TriangleMesh>& indexing, const Holonomy_signature<TriangleMesh>& signature,
+               const VertexPointMap& points)
+    : mesh(triangulation_connectivity(indexing)),
+      component_of_vertex(mesh_components(mesh).of_vertex)
   {
     for (int v = 0; v < indexing.number_of_vertices(); ++v) {
       const auto& p = get(points, indexing.vertex(v));
@@ -75,16 +89,17 @@ struct Metric_computation {
   using Index = Triangulation_connectivity::Index;
 
   Similarity_structure<FT> structure;
-  std::vector<FT> coefficients;             ///< phi per vertex, then c per loop
-  Triangulation_connectivity middle;        ///< the triangulation from which the iteration started
-  Normal_coordinates input_on_middle;       ///< of the input's edges; empty if the two are the same
+  std::vector<FT> coefficients;       ///< phi per vertex, then c per loop
+  Triangulation_connectivity middle;  ///< the triangulation from which the iteration started
+  Normal_coordinates input_on_middle; ///< of the input's edges; empty if the two are the same
   std::size_t delaunay_flips = 0;
   Newton_record record;
 
   Metric_computation() = default;
 
   /// takes the input's metric. \param tracks_edges whether the common subdivision will be wanted
-  Metric_computation(const Metric_input& input, const bool tracks_edges) : coefficients(input.quarter_turns.size(), FT(0))
+  Metric_computation(const Metric_input& input, const bool tracks_edges)
+    : coefficients(input.quarter_turns.size(), FT(0))
   {
     using std::log;
     structure.mesh = input.mesh;
@@ -102,13 +117,17 @@ struct Metric_computation {
   /// continues the computation `other` in this number type.
   template <typename OtherFT>
   explicit Metric_computation(const Metric_computation<OtherFT>& other)
-    : coefficients(other.coefficients.begin(), other.coefficients.end()), middle(other.middle), input_on_middle(other.input_on_middle),
-      delaunay_flips(other.delaunay_flips), record(other.record)
+    : coefficients(other.coefficients.begin(), other.coefficients.end()),
+      middle(other.middle),
+      input_on_middle(other.input_on_middle),
+      delaunay_flips(other.delaunay_flips),
+      record(other.record)
   {
     structure.mesh = other.structure.mesh;
     structure.loops = other.structure.loops;
     structure.delaunay_edges = other.structure.delaunay_edges;
-    structure.delaunay_tolerance = static_cast<FT>(other.structure.delaunay_tolerance); // the lengths are no more accurate than they were
+    structure.delaunay_tolerance =
+        static_cast<FT>(other.structure.delaunay_tolerance); // the lengths are no more accurate than they were
     structure.log_length.assign(other.structure.log_length.begin(), other.structure.log_length.end());
     structure.log_penner.assign(other.structure.log_penner.begin(), other.structure.log_penner.end());
     structure.form.assign(other.structure.form.size(), FT(0));
@@ -139,15 +158,18 @@ struct Metric_computation {
 
   /// runs Newton's iteration. The record goes on where an earlier one in another number type ended.
   template <typename FlipPolicy, typename SolverTraits, typename Visitor>
-  void iterate(Newton_system<FT>& system, const FlipPolicy& policy, SolverTraits& solver, const Visitor& visitor, Newton_limits limits)
+  void iterate(Newton_system<FT>& system, const FlipPolicy& policy, SolverTraits& solver, const Visitor& visitor,
+               Newton_limits limits)
   {
     limits.number_of_iterations -= record.iterations;
-    Newton_iteration<FT, SolverTraits, Visitor> newton(structure, system, coefficients, solver, record.factorizations > 0, visitor, limits);
+    Newton_iteration<FT, SolverTraits, Visitor> newton(structure, system, coefficients, solver,
+                                                       record.factorizations > 0, visitor, limits);
     const Newton_record next = newton.run(policy);
     record.status = next.status;
     if (!record.residual_history.empty())
       record.residual_history.pop_back(); // evaluated anew
-    record.residual_history.insert(record.residual_history.end(), next.residual_history.begin(), next.residual_history.end());
+    record.residual_history.insert(record.residual_history.end(), next.residual_history.begin(),
+                                   next.residual_history.end());
     record.iterations += next.iterations;
     record.halvings += next.halvings;
     record.factorizations += next.factorizations;
@@ -156,12 +178,16 @@ struct Metric_computation {
   }
 
   /// Penner's coordinates on the final triangulation.
-  const std::vector<FT>& log_penner() const { return structure.log_penner.empty() ? structure.log_length : structure.log_penner; }
+  const std::vector<FT>& log_penner() const
+  {
+    return structure.log_penner.empty() ? structure.log_length : structure.log_penner;
+  }
 };
 
 /// fills in what `computation` did; the place of the largest residual is that of `system`.
 template <typename TriangleMesh, typename FT, typename Report>
-void fill_report(const Metric_computation<FT>& computation, const Newton_system<FT>& system, const Mesh_indexing<TriangleMesh>& indexing, Report& report)
+void fill_report(const Metric_computation<FT>& computation, const Newton_system<FT>& system,
+                 const Mesh_indexing<TriangleMesh>& indexing, Report& report)
 {
   const Newton_record& record = computation.record;
   report.status = record.status;

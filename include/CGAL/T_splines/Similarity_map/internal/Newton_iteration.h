@@ -26,7 +26,7 @@ inline constexpr double near_residual = 1e-2;
 
 /// What bounds a Newton iteration.
 struct Newton_limits {
-  double tolerance = 1e-12;     ///< on the largest residual
+  double tolerance = 1e-12; ///< on the largest residual
   int number_of_iterations = 100;
 };
 
@@ -40,8 +40,8 @@ struct Newton_record {
 
 /// Newton's iteration for the scale factors of a similarity structure.
 ///
-/// The linear systems are solved in double by conjugate gradients, each only as accurately as its step deserves. They are
-/// preconditioned with the factorization of an earlier one: phi and c keep their meaning across flips, so that it
+/// The linear systems are solved in double by conjugate gradients, each only as accurately as its step deserves. They
+/// are preconditioned with the factorization of an earlier one: phi and c keep their meaning across flips, so that it
 /// stays a good approximation; it is renewed when conjugate gradients need many iterations.
 /// \tparam FT number type of the residual and the unknowns
 /// \tparam SolverTraits a model of `SparseSpdSolverTraits` with `FT` double
@@ -55,9 +55,15 @@ public:
   /// \param is_factorized whether `solver` holds a factorization of an earlier system
   Newton_iteration(Structure& structure, Newton_system<FT>& system, std::vector<FT>& coefficients, SolverTraits& solver,
                    const bool is_factorized, const Visitor& visitor, const Newton_limits& limits)
-    : m_structure(structure), m_system(system), m_coefficients(coefficients), m_solver(solver), m_is_factorized(is_factorized),
-      m_visitor(visitor), m_limits(limits)
-  {}
+    : m_structure(structure),
+      m_system(system),
+      m_coefficients(coefficients),
+      m_solver(solver),
+      m_is_factorized(is_factorized),
+      m_visitor(visitor),
+      m_limits(limits)
+  {
+  }
 
   template <typename FlipPolicy>
   Newton_record run(const FlipPolicy& policy)
@@ -94,7 +100,8 @@ private:
     }
   }
 
-  // Notices that the residual has come down to its floor: near the solution, where convergence ought to be quadratic, it has ended.
+  // Notices that the residual has come down to its floor: near the solution, where convergence ought to be quadratic,
+  // it has ended.
   class Stall_detector {
   public:
     bool is_stalled(const double residual)
@@ -132,10 +139,11 @@ private:
     for (const double b : right_hand_side)
       norm += b * b;
     norm = std::sqrt(norm);
-    // Forcing term: a relative error as small as the residual keeps the convergence quadratic; more than the goal asks for is wasted.
+    // Forcing term: a relative error as small as the residual keeps the convergence quadratic; more than the goal asks
+    // for is wasted.
     const double tolerance = std::max(1e-10, std::min(0.1, std::max(0.3 * norm, 0.1 * m_limits.tolerance / norm)));
-    m_last_inner_iterations =
-      preconditioned_conjugate_gradients(m_system, m_solver, right_hand_side, m_solution, tolerance, 500, m_workspace);
+    m_last_inner_iterations = preconditioned_conjugate_gradients(m_system, m_solver, right_hand_side, m_solution,
+                                                                 tolerance, 500, m_workspace);
     m_record.linear_iterations += m_last_inner_iterations;
     m_direction = m_system.direction(m_solution);
     return true;
@@ -164,8 +172,8 @@ private:
     m_structure.set_form(m_coefficients);
   }
 
-  // A damped Newton step on the convex energy: it is halved while the energy still falls backwards at its end, and, far from the solution, while it
-  // increases the gradient. Each trial starts from the triangulation of before the step.
+  // A damped Newton step on the convex energy: it is halved while the energy still falls backwards at its end, and, far
+  // from the solution, while it increases the gradient. Each trial starts from the triangulation of before the step.
   Similarity_map_status step(const Ideal_delaunay_flips&)
   {
     m_accepted_coefficients = m_coefficients;
@@ -198,8 +206,8 @@ private:
     return Similarity_map_status::STALLED;
   }
 
-  // Makes the trial Delaunay. The angles that tell which edges need a flip serve for the gradient too; only those of flipped triangles are
-  // measured again.
+  // Makes the trial Delaunay. The angles that tell which edges need a flip serve for the gradient too; only those of
+  // flipped triangles are measured again.
   std::size_t flip_and_measure(const std::size_t most_flips)
   {
     // A trial beyond the limit of what the mesh can carry winds the loops up without end.
@@ -207,12 +215,12 @@ private:
     m_system.measure(m_structure);
     m_flipped.clear();
     const std::size_t flips = flip_to_delaunay(
-      m_structure, most_flips, [this](const Index e) { return m_system.is_clearly_delaunay(m_structure, e); },
-      [this, most_passages](const Index h) {
-        m_structure.flip_ptolemy(h);
-        m_flipped.push_back(h);
-        return m_structure.loops.number_of_passages() <= most_passages;
-      });
+        m_structure, most_flips, [this](const Index e) { return m_system.is_clearly_delaunay(m_structure, e); },
+        [this, most_passages](const Index h) {
+          m_structure.flip_ptolemy(h);
+          m_flipped.push_back(h);
+          return m_structure.loops.number_of_passages() <= most_passages;
+        });
     if (flips <= most_flips)
       for (const Index h : m_flipped) {
         m_system.measure(m_structure, m_structure.mesh.face(h));
@@ -242,7 +250,7 @@ private:
     if (policy.delaunay) {
       const std::size_t most_flips = 1000 + 20 * static_cast<std::size_t>(m_structure.mesh.number_of_edges());
       const std::size_t flips =
-        flip_to_delaunay(m_structure, most_flips, [&](const Index h) { m_structure.flip_euclidean(h); });
+          flip_to_delaunay(m_structure, most_flips, [&](const Index h) { m_structure.flip_euclidean(h); });
       m_record.flips += flips;
       if (flips > most_flips)
         return Similarity_map_status::STALLED;

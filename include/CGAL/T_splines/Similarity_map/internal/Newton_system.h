@@ -21,9 +21,9 @@ namespace internal {
 /// The gradient and the Hessian of the convex energy whose minimum is the metric with the prescribed signature.
 ///
 /// The unknowns are phi at the vertices and one coefficient c per loop (see `Similarity_structure`). The gradient is
-/// the prescribed minus the present angle at each vertex, and the present minus the prescribed turning of each loop; the Hessian
-/// is [d eta]^T * [d eta] with the cotangent Hodge star ([CZ17] eq. (6), (7) in a symmetric form). On each connected
-/// component, phi is determined up to a constant: one vertex is left out of the rows.
+/// the prescribed minus the present angle at each vertex, and the present minus the prescribed turning of each loop;
+/// the Hessian is [d eta]^T * [d eta] with the cotangent Hodge star ([CZ17] eq. (6), (7) in a symmetric form). On each
+/// connected component, phi is determined up to a constant: one vertex is left out of the rows.
 template <typename FT_>
 class Newton_system {
 public:
@@ -34,7 +34,9 @@ public:
   /// \param component_of_vertex numbers of connected components from 0
   /// \param quarter_turns prescribed numbers per vertex, then per loop
   Newton_system(std::vector<int> component_of_vertex, const std::vector<int>& quarter_turns)
-    : m_component(std::move(component_of_vertex)), m_row(quarter_turns.size(), pinned), m_target(quarter_turns.size())
+    : m_component(std::move(component_of_vertex)),
+      m_row(quarter_turns.size(), pinned),
+      m_target(quarter_turns.size())
   {
     using std::atan2;
     const FT quarter = 2 * atan2(FT(1), FT(1));
@@ -85,7 +87,10 @@ public:
   }
 
   /// Whether all faces satisfied the triangle inequality when they were measured.
-  bool has_triangles_only() const { return std::find(m_is_triangle.begin(), m_is_triangle.end(), 0) == m_is_triangle.end(); }
+  bool has_triangles_only() const
+  {
+    return std::find(m_is_triangle.begin(), m_is_triangle.end(), 0) == m_is_triangle.end();
+  }
 
   /// Whether the measured angles tell that an edge is Delaunay, with some margin; `false` may be a false alarm.
   bool is_clearly_delaunay(const Structure& structure, const Index e) const
@@ -138,8 +143,8 @@ public:
 
   int number_of_rows() const { return m_number_of_rows; }
 
-  /// The Newton system's right-hand side, the negative gradient. On each component its vertex part is projected to sum zero: round-off would
-  /// otherwise collect at the vertex that has no row.
+  /// The Newton system's right-hand side, the negative gradient. On each component its vertex part is projected to sum
+  /// zero: round-off would otherwise collect at the vertex that has no row.
   std::vector<double> right_hand_side() const
   {
     std::vector<FT> sum(m_number_of_components, FT(0));
@@ -153,8 +158,8 @@ public:
     std::vector<double> result(m_number_of_rows);
     for (std::size_t i = 0; i < m_row.size(); ++i)
       if (m_row[i] != pinned)
-        result[m_row[i]] = static_cast<double>(i < m_component.size() ? FT(sum[m_component[i]] - m_gradient[i])
-                                                                      : FT(-m_gradient[i]));
+        result[m_row[i]] =
+            static_cast<double>(i < m_component.size() ? FT(sum[m_component[i]] - m_gradient[i]) : FT(-m_gradient[i]));
     return result;
   }
 
@@ -175,7 +180,8 @@ public:
     m_terms.clear();
     m_loop_terms.clear();
     for (Index e = 0; e < mesh.number_of_edges(); ++e) {
-      // Not negative on a Delaunay triangulation; on others, negative weights belong to the Hessian, which is semidefinite all the same.
+      // Not negative on a Delaunay triangulation; on others, negative weights belong to the Hessian, which is
+      // semidefinite all the same.
       const double cotangents = (m_cotangent[2 * e] + m_cotangent[2 * e + 1]) / 2;
       const double weight = std::abs(cotangents) < least_weight ? least_weight : cotangents;
       Edge_term term{weight, m_row[mesh.target(2 * e + 1)], m_row[mesh.target(2 * e)],
@@ -305,7 +311,7 @@ private:
   int m_number_of_rows = 0;
   std::size_t m_number_of_components = 0;
 
-  std::vector<FT> m_angle;      // per halfedge, opposite to it
+  std::vector<FT> m_angle; // per halfedge, opposite to it
   std::vector<double> m_cotangent;
   std::vector<char> m_is_triangle; // per face
   std::vector<FT> m_gradient;

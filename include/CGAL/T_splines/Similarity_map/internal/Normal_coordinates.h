@@ -18,10 +18,10 @@ namespace internal {
 
 /// Where the edges of a *reference* triangulation run on a triangulation obtained from it by flips, in integers.
 ///
-/// Per edge, the number of reference edges that cross it, or `shared` if it is a reference edge itself; per halfedge, which
-/// reference halfedge comes first, counter-clockwise, at its source. This determines the common subdivision
-/// up to isotopy (M. Gillespie, N. Sharp, K. Crane: Integer coordinates for intrinsic geometry processing, 2021). The update under a flip
-/// counts the arcs in the two triangles and is exact.
+/// Per edge, the number of reference edges that cross it, or `shared` if it is a reference edge itself; per halfedge,
+/// which reference halfedge comes first, counter-clockwise, at its source. This determines the common subdivision
+/// up to isotopy (M. Gillespie, N. Sharp, K. Crane: Integer coordinates for intrinsic geometry processing, 2021). The
+/// update under a flip counts the arcs in the two triangles and is exact.
 class Normal_coordinates {
   using Index = Triangulation_connectivity::Index;
 
@@ -37,8 +37,8 @@ public:
 
   /// A halfedge of the reference triangulation on the current one.
   struct Curve {
-    Index first_corner; ///< it starts at the source of this halfedge, along it or between it and the next one counter-clockwise
-    Index last_corner;  ///< the same for its opposite, at its target
+    Index first_corner; ///< it starts at the source of this halfedge, along it or to its left, before the next one
+    Index last_corner; ///< the same for its opposite, at its target
     std::vector<Crossing> crossings;
   };
 
@@ -74,8 +74,11 @@ public:
   class Flip {
   public:
     Flip(Normal_coordinates& coordinates, const Triangulation_connectivity& mesh, const Index h)
-      : m_coordinates(coordinates), m_halfedge(h), m_count(coordinates.count_after_flip(mesh, h))
-    {}
+      : m_coordinates(coordinates),
+        m_halfedge(h),
+        m_count(coordinates.count_after_flip(mesh, h))
+    {
+    }
 
     /// \pre `mesh` is flipped now.
     void finish(const Triangulation_connectivity& mesh)
@@ -97,11 +100,12 @@ public:
     return std::max<Count>(0, crossings(mesh.next(h)) - crossings(h) - crossings(mesh.previous(h)));
   }
 
-  /// calls `visit(v, k, curve)` once per halfedge of the reference triangulation that is not shared, where `v` is its source
-  /// and `k` its number around `v` (counter-clockwise from `reference.outgoing_halfedges()[v]`), and
+  /// calls `visit(v, k, curve)` once per halfedge of the reference triangulation that is not shared, where `v` is its
+  /// source and `k` its number around `v` (counter-clockwise from `reference.outgoing_halfedges()[v]`), and
   /// `shared_visit(v, k, h)` once per halfedge `h` of the current triangulation that is.
   template <typename Visitor, typename SharedVisitor>
-  void for_each_reference_halfedge(const Triangulation_connectivity& mesh, Visitor&& visit, SharedVisitor&& visit_shared) const
+  void for_each_reference_halfedge(const Triangulation_connectivity& mesh, Visitor&& visit,
+                                   SharedVisitor&& visit_shared) const
   {
     Curve curve;
     for (Index h = 0; h < mesh.number_of_halfedges(); ++h) {
@@ -128,8 +132,8 @@ private:
     return std::max<Count>(0, twice) / 2;
   }
 
-  // The edge i-j of h becomes k-l, with the triangles (i, j, k) of h and (j, i, l) of its opposite. An arc crosses k-l if it runs from
-  // the side of i to the side of j; those that cross i-j are told apart by their positions on it.
+  // The edge i-j of h becomes k-l, with the triangles (i, j, k) of h and (j, i, l) of its opposite. An arc crosses k-l
+  // if it runs from the side of i to the side of j; those that cross i-j are told apart by their positions on it.
   Count count_after_flip(const Triangulation_connectivity& mesh, const Index h) const
   {
     const Index g = Triangulation_connectivity::opposite(h);
@@ -137,7 +141,7 @@ private:
     const Count around_i_above = number_of_corner_arcs(mesh, h), to_k = number_of_starts(mesh, ki);
     const Count around_i_below = number_of_corner_arcs(mesh, il), to_l = number_of_starts(mesh, lj);
     const Count from_k_to_l =
-      std::min(around_i_above + to_k, around_i_below + to_l) - std::max(around_i_above, around_i_below);
+        std::min(around_i_above + to_k, around_i_below + to_l) - std::max(around_i_above, around_i_below);
     if (to_k > 0 && to_l > 0 && from_k_to_l > 0)
       return shared;
     return number_of_corner_arcs(mesh, ki) + number_of_corner_arcs(mesh, lj) // around k and around l
@@ -150,9 +154,9 @@ private:
   void update_first_reference(const Triangulation_connectivity& mesh, const Index h)
   {
     const Index clockwise = mesh.next(Triangulation_connectivity::opposite(h)); // same source
-    m_first_reference[h] =
-      static_cast<int>((m_first_reference[clockwise] + (is_shared(clockwise >> 1) ? 1 : 0) +
-                        number_of_starts(mesh, clockwise)) % m_degree[mesh.source(h)]);
+    m_first_reference[h] = static_cast<int>(
+        (m_first_reference[clockwise] + (is_shared(clockwise >> 1) ? 1 : 0) + number_of_starts(mesh, clockwise)) %
+        m_degree[mesh.source(h)]);
   }
 
   // Follows the i-th (counter-clockwise) of the reference edges that start at the source of `corner` in its triangle.
@@ -184,9 +188,9 @@ private:
     }
   }
 
-  std::vector<Count> m_count;          // per edge
-  std::vector<int> m_first_reference;  // per halfedge, modulo the degree of its source
-  std::vector<int> m_degree;           // per vertex, in the reference triangulation
+  std::vector<Count> m_count;         // per edge
+  std::vector<int> m_first_reference; // per halfedge, modulo the degree of its source
+  std::vector<int> m_degree;          // per vertex, in the reference triangulation
 };
 
 } // namespace internal

@@ -38,7 +38,8 @@ public:
   Refined_mesh_writer(const Refined_triangulation& refined, RefinedMesh& mesh) : m_refined(refined), m_mesh(mesh)
   {
     const Triangulation_connectivity& from = refined.mesh;
-    CGAL_precondition_msg(CGAL::is_empty(mesh), "the mesh to write must be empty: clear() would take its property maps away");
+    CGAL_precondition_msg(CGAL::is_empty(mesh),
+                          "the mesh to write must be empty: clear() would take its property maps away");
     reserve(mesh, from.number_of_vertices(), from.number_of_edges(), from.number_of_faces());
     for (int v = 0; v < from.number_of_vertices(); ++v)
       m_vertices.push_back(add_vertex(mesh));
@@ -81,16 +82,19 @@ public:
       put(map, m_halfedges[h], Point_2(m_refined.uv[h][0], m_refined.uv[h][1]));
   }
 
-  /// writes each vertex's place on the input as a face and barycentric coordinates (`Face_location` of Polygon Mesh Processing).
+  /// writes each vertex's place on the input as a face and barycentric coordinates (`Face_location` of Polygon Mesh
+  /// Processing).
   template <typename TriangleMesh, typename VertexLocationMap>
-  void put_locations(const Mesh_indexing<TriangleMesh>& indexing, const Triangulation_connectivity& input, VertexLocationMap map) const
+  void put_locations(const Mesh_indexing<TriangleMesh>& indexing, const Triangulation_connectivity& input,
+                     VertexLocationMap map) const
   {
     using Location = typename boost::property_traits<VertexLocationMap>::value_type;
     const std::vector<int> outgoing = input.outgoing_halfedges();
     for (std::size_t v = 0; v < m_vertices.size(); ++v) {
       const Input_place& place = m_refined.place[v];
       int f = 0;
-      std::array<double, 3> weight{}; // of the source, the target, and the target of the successor of the halfedge of the face
+      std::array<double, 3>
+          weight{}; // of the source, the target, and the target of the successor of the halfedge of the face
       const auto corner = [&](const int h) { // index of the target of h
         const int first = input.halfedge_of_face(f);
         return h == first ? 1 : h == input.next(first) ? 2 : 0;

@@ -35,7 +35,8 @@ public:
   template <typename Visitor>
   Similarity_map_computation(const Metric_input& input, const Metric& metric, const Visitor& visitor)
     : m_layout(metric.structure, metric.coefficients, input.quarter_turns),
-      m_transitions(metric.structure.mesh, metric.structure.loops, m_layout, input.quarter_turns, loop_coefficients(metric))
+      m_transitions(metric.structure.mesh, metric.structure.loops, m_layout, input.quarter_turns,
+                    loop_coefficients(metric))
   {
     using std::sqrt;
     const Triangulation_connectivity& last = metric.structure.mesh;
@@ -44,10 +45,12 @@ public:
     for (int e = 0; e < input.mesh.number_of_edges(); ++e)
       length.push_back(sqrt(input.template squared_length<FT>(e)));
     const Input_crossings<FT> on_input(input.mesh, metric.middle, metric.input_on_middle, length);
-    const Final_crossings<FT> on_final(metric.middle, last, metric.structure.delaunay_edges, convert(metric.log_penner()));
+    const Final_crossings<FT> on_final(metric.middle, last, metric.structure.delaunay_edges,
+                                       convert(metric.log_penner()));
     visitor.begin_stage("subdivision");
     const auto& form = convert(metric.structure.form);
-    Common_subdivision<FT> subdivision(input.mesh, input.point, metric.middle, last, on_input, on_final, form, m_layout);
+    Common_subdivision<FT> subdivision(input.mesh, input.point, metric.middle, last, on_input, on_final, form,
+                                       m_layout);
     m_refined = std::move(subdivision.result());
     m_cut.resize(m_refined.mesh.number_of_edges());
     for (int e = 0; e < m_refined.mesh.number_of_edges(); ++e)
@@ -71,7 +74,8 @@ public:
     if (!m_cut[h >> 1])
       return Similarity_2<double>();
     const Similarity_2<FT> wide = m_transitions.transition(m_refined.final_halfedge[h]);
-    return Similarity_2<double>(wide.quarter_turns(), static_cast<double>(wide.scale()), static_cast<double>(wide.u()), static_cast<double>(wide.v()));
+    return Similarity_2<double>(wide.quarter_turns(), static_cast<double>(wide.scale()), static_cast<double>(wide.u()),
+                                static_cast<double>(wide.v()));
   }
 
 private:

@@ -20,12 +20,13 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// A piecewise flat metric up to similarity on an intrinsic triangulation: log-lengths and a closed 1-form that scales them.
+/// A piecewise flat metric up to similarity on an intrinsic triangulation: log-lengths and a closed 1-form that scales
+/// them.
 ///
-/// On a simply connected piece, where the form xi is d phi, the edge i-j has the length exp(lambda_ij + (phi_i + phi_j) / 2).
-/// A triangle needs xi alone: its sides i, j, k are exp(lambda_i + (xi_k - xi_j) / 6), and cyclically, up to a common factor.
-/// xi = d phi + sum_j c_j eta_j, where eta_j counts the passages of loop j over an edge with sign: the coefficients phi, c
-/// keep their meaning when edges are flipped.
+/// On a simply connected piece, where the form xi is d phi, the edge i-j has the length exp(lambda_ij + (phi_i + phi_j)
+/// / 2). A triangle needs xi alone: its sides i, j, k are exp(lambda_i + (xi_k - xi_j) / 6), and cyclically, up to a
+/// common factor. xi = d phi + sum_j c_j eta_j, where eta_j counts the passages of loop j over an edge with sign: the
+/// coefficients phi, c keep their meaning when edges are flipped.
 /// \tparam FT a floating-point type.
 template <typename FT_>
 struct Similarity_structure {
@@ -33,12 +34,13 @@ struct Similarity_structure {
   using Index = Triangulation_connectivity::Index;
 
   Triangulation_connectivity mesh;
-  std::vector<FT> log_length;         ///< lambda per edge
-  std::vector<FT> form;               ///< xi of the halfedge 2e, per edge e
+  std::vector<FT> log_length; ///< lambda per edge
+  std::vector<FT> form;       ///< xi of the halfedge 2e, per edge e
   Dual_loops loops;
-  Normal_coordinates delaunay_edges;  ///< of the triangulation that the iteration starts from; empty if not wanted
-  FT delaunay_tolerance = 32 * std::numeric_limits<FT>::epsilon(); ///< relative, of the Delaunay test: the round-off of the lengths
-  std::vector<FT> log_penner;         ///< Penner's coordinates of the starting metric; empty: `log_length` has them
+  Normal_coordinates delaunay_edges; ///< of the triangulation that the iteration starts from; empty if not wanted
+  FT delaunay_tolerance =
+      32 * std::numeric_limits<FT>::epsilon(); ///< relative, of the Delaunay test: the round-off of the lengths
+  std::vector<FT> log_penner; ///< Penner's coordinates of the starting metric; empty: `log_length` has them
 
   FT form_of(const Index h) const { return (h & 1) ? FT(-form[h >> 1]) : form[h >> 1]; }
 
@@ -66,8 +68,8 @@ struct Similarity_structure {
     }
   }
 
-  /// Whether the edge is Delaunay in the scaled metric: the cosines of the two angles opposite to it have a sum of at least 0, up to round-off.
-  /// It needs no triangle inequality. Of an edge between a triangle and itself, it says yes.
+  /// Whether the edge is Delaunay in the scaled metric: the cosines of the two angles opposite to it have a sum of at
+  /// least 0, up to round-off. It needs no triangle inequality. Of an edge between a triangle and itself, it says yes.
   bool is_delaunay(const Index e) const
   {
     using std::exp;
@@ -145,8 +147,8 @@ private:
 /// \param flip called with a halfedge; it returns `false` to give up
 /// \return the number of flips, or `maximum + 1` if that is not enough.
 template <typename FT, typename IsClearlyDelaunay, typename Flip>
-std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::size_t maximum, const IsClearlyDelaunay& is_clearly_delaunay,
-                             Flip&& flip)
+std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::size_t maximum,
+                             const IsClearlyDelaunay& is_clearly_delaunay, Flip&& flip)
 {
   using Index = typename Similarity_structure<FT>::Index;
   const Triangulation_connectivity& mesh = structure.mesh;
@@ -187,7 +189,8 @@ std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::siz
     flip(h);
     return true;
   };
-  return flip_to_delaunay(structure, maximum, [](int) { return false; }, flip_and_go_on);
+  return flip_to_delaunay(
+      structure, maximum, [](int) { return false; }, flip_and_go_on);
 }
 
 } // namespace internal

@@ -19,13 +19,14 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// Makes every triangle of a refined triangulation positively oriented on the surface and in the plane, decided exactly, and takes out what
-/// is smaller than double coordinates resolve.
+/// Makes every triangle of a refined triangulation positively oriented on the surface and in the plane, decided
+/// exactly, and takes out what is smaller than double coordinates resolve.
 ///
-/// Cells of the common subdivision can be as thin as the rounding of coordinates. Where a triangle is turned over or so thin, the
-/// refinement is made coarser: edges that lie on no input edge and not on the cut are flipped, and added vertices are moved
-/// along an edge into a neighbor, along the input edge or the cut on which they lie. An operation is done if all triangles that it changes are
-/// good afterwards. Thin triangles that are positive may stay, such as those of the input; others are a failure.
+/// Cells of the common subdivision can be as thin as the rounding of coordinates. Where a triangle is turned over or so
+/// thin, the refinement is made coarser: edges that lie on no input edge and not on the cut are flipped, and added
+/// vertices are moved along an edge into a neighbor, along the input edge or the cut on which they lie. An operation is
+/// done if all triangles that it changes are good afterwards. Thin triangles that are positive may stay, such as those
+/// of the input; others are a failure.
 class Sliver_removal {
   using Index = Triangulation_connectivity::Index;
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -34,9 +35,13 @@ class Sliver_removal {
 public:
   /// \param input_mesh, input_point the input triangulation
   /// \param is_cut per edge of `refined`
-  Sliver_removal(const Triangulation_connectivity& input_mesh, const std::vector<std::array<double, 3>>& input_point, Refined_triangulation& refined,
-                 std::vector<char>& is_cut)
-    : m_input(input_mesh), m_input_point(input_point), m_refined(refined), m_mesh(refined.mesh), m_is_cut(is_cut)
+  Sliver_removal(const Triangulation_connectivity& input_mesh, const std::vector<std::array<double, 3>>& input_point,
+                 Refined_triangulation& refined, std::vector<char>& is_cut)
+    : m_input(input_mesh),
+      m_input_point(input_point),
+      m_refined(refined),
+      m_mesh(refined.mesh),
+      m_is_cut(is_cut)
   {
     choose_projections();
     std::vector<Index> bad;
@@ -52,7 +57,8 @@ public:
       for (const Index f : bad)
         if (!m_is_removed[f] && !is_good(f))
           repair(f);
-      bad.erase(std::remove_if(bad.begin(), bad.end(), [this](const Index f) { return m_is_removed[f] || is_good(f); }), bad.end());
+      bad.erase(std::remove_if(bad.begin(), bad.end(), [this](const Index f) { return m_is_removed[f] || is_good(f); }),
+                bad.end());
       if (bad.empty() || bad.size() == before)
         break;
     }
@@ -76,7 +82,8 @@ private:
     m_projection.resize(m_input.number_of_faces());
     for (Index f = 0; f < m_input.number_of_faces(); ++f) {
       const Index h = m_input.halfedge_of_face(f);
-      const std::array<double, 3>&p = m_input_point[m_input.source(h)], &q = m_input_point[m_input.target(h)], &r = m_input_point[m_input.target(m_input.next(h))];
+      const std::array<double, 3>&p = m_input_point[m_input.source(h)], &q = m_input_point[m_input.target(h)],
+                               &r = m_input_point[m_input.target(m_input.next(h))];
       std::array<double, 3> normal;
       for (int k = 0; k < 3; ++k) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
@@ -95,7 +102,8 @@ private:
     return {{p[projection.first], p[projection.second]}};
   }
 
-  static CGAL::Orientation orientation(const std::array<double, 2>& p, const std::array<double, 2>& q, const std::array<double, 2>& r)
+  static CGAL::Orientation orientation(const std::array<double, 2>& p, const std::array<double, 2>& q,
+                                       const std::array<double, 2>& r)
   {
     return CGAL::orientation(Kernel::Point_2(p[0], p[1]), Kernel::Point_2(q[0], q[1]), Kernel::Point_2(r[0], r[1]));
   }
@@ -109,11 +117,12 @@ private:
   {
     const Projection& projection = m_projection[input_face];
     const auto point = [&](const Corner& c) { return projected(m_refined.point[c.vertex], projection); };
-    return orientation(p.uv, q.uv, r.uv) == CGAL::LEFT_TURN && orientation(point(p), point(q), point(r)) == CGAL::LEFT_TURN;
+    return orientation(p.uv, q.uv, r.uv) == CGAL::LEFT_TURN &&
+           orientation(point(p), point(q), point(r)) == CGAL::LEFT_TURN;
   }
 
-  // Whether the triangle is positive and its least height, relative to its longest side and in the plane also relative to its coordinates,
-  // is well above the unit of rounding.
+  // Whether the triangle is positive and its least height, relative to its longest side and in the plane also relative
+  // to its coordinates, is well above the unit of rounding.
   bool is_good(const Corner& p, const Corner& q, const Corner& r, const Index input_face) const
   {
     const double height = least_height(p.uv, q.uv, r.uv);
@@ -137,7 +146,8 @@ private:
 
   static constexpr double thin = 1e-8, unresolved = 1e-10;
 
-  static double longest_square(const std::array<double, 2>& p, const std::array<double, 2>& q, const std::array<double, 2>& r)
+  static double longest_square(const std::array<double, 2>& p, const std::array<double, 2>& q,
+                               const std::array<double, 2>& r)
   {
     const auto square = [](const std::array<double, 2>& a, const std::array<double, 2>& b) {
       return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
@@ -145,7 +155,8 @@ private:
     return std::max(square(p, q), std::max(square(q, r), square(r, p)));
   }
 
-  static double least_height(const std::array<double, 2>& p, const std::array<double, 2>& q, const std::array<double, 2>& r)
+  static double least_height(const std::array<double, 2>& p, const std::array<double, 2>& q,
+                             const std::array<double, 2>& r)
   {
     const double area = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]), square = longest_square(p, q, r);
     return square > 0 ? area / std::sqrt(square) : 0;
@@ -161,7 +172,8 @@ private:
 
   void repair(const Index f)
   {
-    const std::array<Index, 3> sides = {m_mesh.halfedge_of_face(f), m_mesh.next(m_mesh.halfedge_of_face(f)), m_mesh.previous(m_mesh.halfedge_of_face(f))};
+    const std::array<Index, 3> sides = {m_mesh.halfedge_of_face(f), m_mesh.next(m_mesh.halfedge_of_face(f)),
+                                        m_mesh.previous(m_mesh.halfedge_of_face(f))};
     for (const Index h : sides)
       if (can_flip(h)) {
         flip(h);
@@ -199,7 +211,8 @@ private:
       return false;
     const Corner i = corner(g), j = corner(h), k = corner(m_mesh.next(h)), l = corner(m_mesh.next(g));
     const Index input_face = m_refined.input_face[m_mesh.face(h)];
-    return k.vertex != l.vertex && is_good(l, k, i, input_face) && is_good(k, l, j, input_face) && !are_adjacent(k.vertex, l.vertex);
+    return k.vertex != l.vertex && is_good(l, k, i, input_face) && is_good(k, l, j, input_face) &&
+           !are_adjacent(k.vertex, l.vertex);
   }
 
   void flip(const Index h)
@@ -261,8 +274,10 @@ private:
       m_refined.uv[m_mesh.previous(k)] = is_right_of_cut ? uv_right : uv_left; // the halfedge to u in the face of k
     }
     // Each of the two triangles of the edge vanishes; its two other edges become one.
-    const Index from_w = m_mesh.next(h), from_u = Triangulation_connectivity::opposite(m_mesh.previous(h)); // both to the left apex
-    const Index to_w = m_mesh.previous(g), to_u = Triangulation_connectivity::opposite(m_mesh.next(g));     // both from the right apex
+    const Index from_w = m_mesh.next(h),
+                from_u = Triangulation_connectivity::opposite(m_mesh.previous(h)); // both to the left apex
+    const Index to_w = m_mesh.previous(g),
+                to_u = Triangulation_connectivity::opposite(m_mesh.next(g)); // both from the right apex
     std::vector<Index> incoming;
     for (Index k = m_mesh.next_around_source(h); k != h; k = m_mesh.next_around_source(k))
       incoming.push_back(Triangulation_connectivity::opposite(k));
@@ -286,7 +301,8 @@ private:
     m_mesh.m_face[by] = f;
     m_mesh.m_face_halfedge[f] = by;
     m_refined.uv[by] = m_refined.uv[h];
-    const Index h_opposite = Triangulation_connectivity::opposite(h), by_opposite = Triangulation_connectivity::opposite(by);
+    const Index h_opposite = Triangulation_connectivity::opposite(h),
+                by_opposite = Triangulation_connectivity::opposite(by);
     for (std::vector<int>* on_curve : {&m_refined.input_halfedge, &m_refined.final_halfedge})
       if ((*on_curve)[by] == none) {
         (*on_curve)[by] = (*on_curve)[h];
@@ -299,7 +315,8 @@ private:
   // Renumbers what is left.
   void compress()
   {
-    std::vector<Index> new_vertex(m_mesh.number_of_vertices(), none), new_halfedge(m_mesh.number_of_halfedges(), none), new_face(m_mesh.number_of_faces(), none);
+    std::vector<Index> new_vertex(m_mesh.number_of_vertices(), none), new_halfedge(m_mesh.number_of_halfedges(), none),
+        new_face(m_mesh.number_of_faces(), none);
     Refined_triangulation result;
     std::vector<char> is_cut;
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f) {

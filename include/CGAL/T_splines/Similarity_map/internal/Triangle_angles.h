@@ -14,14 +14,14 @@ namespace internal {
 
 /// The angles of a Euclidean triangle, given by the logarithms of its side lengths up to a common summand.
 ///
-/// Angles are twice the arc tangents of half-angle tangents, from the products of Heron's formula with Kahan's bracketing: they keep
-/// their relative accuracy in needles, where `acos` loses half of the digits.
+/// Angles are twice the arc tangents of half-angle tangents, from the products of Heron's formula with Kahan's
+/// bracketing: they keep their relative accuracy in needles, where `acos` loses half of the digits.
 /// \tparam FT a floating-point type, multiprecision or not.
 template <typename FT>
 struct Triangle_angles {
-  std::array<FT, 3> angle;            ///< the angle opposite to side i
-  std::array<double, 3> cotangent;    ///< its cotangent
-  bool is_triangle = true;            ///< strict triangle inequality; otherwise angles are 0 or pi, cotangents 0
+  std::array<FT, 3> angle;         ///< the angle opposite to side i
+  std::array<double, 3> cotangent; ///< its cotangent
+  bool is_triangle = true;         ///< strict triangle inequality; otherwise angles are 0 or pi, cotangents 0
 
   explicit Triangle_angles(const std::array<FT, 3>& log_length)
   {

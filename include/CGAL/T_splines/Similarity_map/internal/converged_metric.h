@@ -27,7 +27,8 @@ namespace internal {
 
 /// The number type in which a metric computed in `FT` is laid out: its own, but at least `long double`.
 template <typename FT>
-using Layout_number_type = std::conditional_t<(std::numeric_limits<FT>::digits < std::numeric_limits<long double>::digits), long double, FT>;
+using Layout_number_type =
+    std::conditional_t<(std::numeric_limits<FT>::digits < std::numeric_limits<long double>::digits), long double, FT>;
 
 /// The number type to go on with where `FT` has reached its floor; `void` if there is none.
 template <typename FT>
@@ -36,8 +37,8 @@ struct Wider_number_type {
 };
 template <>
 struct Wider_number_type<double> {
-  using type = std::conditional_t<(std::numeric_limits<long double>::digits > std::numeric_limits<double>::digits), long double,
-                                  boost::multiprecision::cpp_bin_float_quad>;
+  using type = std::conditional_t<(std::numeric_limits<long double>::digits > std::numeric_limits<double>::digits),
+                                  long double, boost::multiprecision::cpp_bin_float_quad>;
 };
 template <>
 struct Wider_number_type<long double> {
@@ -70,12 +71,13 @@ void look_for_limit(const Metric_computation<FT>& computation, Similarity_map_re
     report.status = Similarity_map_status::SIGNATURE_OUT_OF_REACH;
 }
 
-/// continues a converged computation in the number type of the layout, for one step: closing errors of a layout exceed the residual by orders of
-/// magnitude. The cost is two evaluations; the step is not counted as an iteration.
+/// continues a converged computation in the number type of the layout, for one step: closing errors of a layout exceed
+/// the residual by orders of magnitude. The cost is two evaluations; the step is not counted as an iteration.
 template <typename TriangleMesh, typename FlipPolicy, typename SolverTraits>
-Metric_computation<Layout_number_type<double>> sharpened(const Metric_computation<double>& computation, const Metric_input& input,
-                                                         const Mesh_indexing<TriangleMesh>& indexing, const FlipPolicy& policy, SolverTraits& solver,
-                                                         Similarity_map_report<TriangleMesh>& report)
+Metric_computation<Layout_number_type<double>>
+sharpened(const Metric_computation<double>& computation, const Metric_input& input,
+          const Mesh_indexing<TriangleMesh>& indexing, const FlipPolicy& policy, SolverTraits& solver,
+          Similarity_map_report<TriangleMesh>& report)
 {
   using FT = Layout_number_type<double>;
   Metric_computation<FT> sharp(computation);
@@ -97,9 +99,11 @@ Metric_computation<Layout_number_type<double>> sharpened(const Metric_computatio
 
 /// iterates, in wider number types if the residual of `computation` comes to a floor above the tolerance, and calls
 /// `consume(computation)` with the converged one.
-template <typename FT, typename TriangleMesh, typename FlipPolicy, typename SolverTraits, typename Visitor, typename Consume>
-void iterate_to_convergence(Metric_computation<FT>& computation, const Metric_input& input, const Mesh_indexing<TriangleMesh>& indexing,
-                            const FlipPolicy& policy, SolverTraits& solver, const Visitor& visitor, const Newton_limits& limits,
+template <typename FT, typename TriangleMesh, typename FlipPolicy, typename SolverTraits, typename Visitor,
+          typename Consume>
+void iterate_to_convergence(Metric_computation<FT>& computation, const Metric_input& input,
+                            const Mesh_indexing<TriangleMesh>& indexing, const FlipPolicy& policy, SolverTraits& solver,
+                            const Visitor& visitor, const Newton_limits& limits,
                             Similarity_map_report<TriangleMesh>& report, Consume&& consume)
 {
   Newton_system<FT> system(input.component_of_vertex, input.quarter_turns);
@@ -107,7 +111,7 @@ void iterate_to_convergence(Metric_computation<FT>& computation, const Metric_in
   fill_report(computation, system, indexing, report);
   if (report.success()) {
     if constexpr (std::is_same<FT, double>::value && !std::is_same<Layout_number_type<double>, double>::value) {
-      if (!computation.structure.delaunay_edges.is_empty() ) {
+      if (!computation.structure.delaunay_edges.is_empty()) {
         const auto sharp = sharpened(computation, input, indexing, policy, solver, report);
         computation = Metric_computation<FT>(); // its memory is wanted
         consume(sharp);
@@ -117,7 +121,8 @@ void iterate_to_convergence(Metric_computation<FT>& computation, const Metric_in
     consume(computation);
     return;
   }
-  if (report.residual >= near_residual && flips_by_ptolemy(policy) && report.status != Similarity_map_status::INTERRUPTED)
+  if (report.residual >= near_residual && flips_by_ptolemy(policy) &&
+      report.status != Similarity_map_status::INTERRUPTED)
     look_for_limit(computation, report);
   using Wider = typename Wider_number_type<FT>::type;
   if constexpr (!std::is_void<Wider>::value) {
@@ -132,26 +137,29 @@ void iterate_to_convergence(Metric_computation<FT>& computation, const Metric_in
 ///
 /// It is what the public functions share: the checks, the named parameters and the number types.
 template <typename TriangleMesh, typename NamedParameters, typename Consume>
-Similarity_map_report<TriangleMesh> converged_metric(const TriangleMesh& mesh, const Holonomy_signature<TriangleMesh>& signature,
-                                                     const bool tracks_edges, const NamedParameters& np,
-                                                     const Mesh_indexing<TriangleMesh>& indexing, Consume&& consume)
+Similarity_map_report<TriangleMesh>
+converged_metric(const TriangleMesh& mesh, const Holonomy_signature<TriangleMesh>& signature, const bool tracks_edges,
+                 const NamedParameters& np, const Mesh_indexing<TriangleMesh>& indexing, Consume&& consume)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   Similarity_map_report<TriangleMesh> report;
   report.signature = check_holonomy_signature(mesh, signature, np);
   if (!report.signature.success()) {
-    report.status = report.signature.status == Holonomy_signature_status::INVALID_MESH ? Similarity_map_status::INVALID_MESH
-                                                                                        : Similarity_map_status::INVALID_SIGNATURE;
+    report.status = report.signature.status == Holonomy_signature_status::INVALID_MESH
+                        ? Similarity_map_status::INVALID_MESH
+                        : Similarity_map_status::INVALID_SIGNATURE;
     return report;
   }
-  const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, mesh));
+  const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                       get_const_property_map(CGAL::vertex_point, mesh));
   const auto policy = choose_parameter(get_parameter(np, np_tags::flip_policy), Ideal_delaunay_flips());
   const auto visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Progress_visitor());
   using FT = std::decay_t<decltype(choose_parameter(get_parameter(np, np_tags::number_type), 0.))>;
   Newton_limits limits;
   limits.tolerance = choose_parameter(get_parameter(np, np_tags::residual_tolerance), limits.tolerance);
-  limits.number_of_iterations = choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), limits.number_of_iterations);
+  limits.number_of_iterations =
+      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), limits.number_of_iterations);
   // A solver of our own is given up, with its factorization, before what follows the metric asks for memory.
   using Solver = decltype(sparse_linear_solver(np));
   std::optional<std::decay_t<Solver>> own_solver;
@@ -170,10 +178,11 @@ Similarity_map_report<TriangleMesh> converged_metric(const TriangleMesh& mesh, c
   }
   double fraction = 0;
   const Monotone_progress<decltype(visitor)> progress{visitor, fraction};
-  iterate_to_convergence(computation, input, indexing, policy, *solver, progress, limits, report, [&](const auto& converged) {
-    own_solver.reset();
-    consume(input, converged);
-  });
+  iterate_to_convergence(computation, input, indexing, policy, *solver, progress, limits, report,
+                         [&](const auto& converged) {
+                           own_solver.reset();
+                           consume(input, converged);
+                         });
   return report;
 }
 

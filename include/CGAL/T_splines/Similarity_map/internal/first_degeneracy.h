@@ -45,8 +45,9 @@ template <typename FT>
 struct First_degeneracy {
   using Index = Triangulation_connectivity::Index;
 
-  double time = 1.;             ///< in [0, 1]
-  std::vector<Index> triangles; ///< halfedges of the faces that degenerate then, opposite to their vanishing height: the longest sides
+  double time = 1.; ///< in [0, 1]
+  std::vector<Index>
+      triangles; ///< halfedges of the faces that degenerate then, opposite to their vanishing height: the longest sides
 
   /// \param step change of xi at the halfedge 2e, per edge e
   First_degeneracy(const Similarity_structure<FT>& structure, const std::vector<double>& step)
