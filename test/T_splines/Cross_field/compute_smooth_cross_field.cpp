@@ -197,7 +197,7 @@ TEST_CASE("real meshes with bad triangles have admissible fields")
 {
   for (const char* name : {"anchor_dense.off", "u.off", "couplingdown.off"}) {
     Mesh mesh;
-    std::ifstream input(std::string(T_SPLINES_DEMO_DATA) + "/" + name);
+    std::ifstream input(std::string(T_SPLINES_DEMO_DATA) + "/meshes/" + name);
     REQUIRE(CGAL::IO::read_OFF(input, mesh));
     auto field = get(CGAL::dynamic_face_property_t<test::Vector_3>(), mesh);
     REQUIRE(ts::compute_smooth_cross_field(mesh, field).success());
