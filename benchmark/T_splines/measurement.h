@@ -33,15 +33,13 @@ inline double cpu_seconds()
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// starts the program again with one thread for BLAS and OpenMP, unless the environment says how many: both are read when
-/// the libraries are loaded. CPU seconds would otherwise contain those of threads that wait, and a process that is forked
-/// to measure memory would wait for threads that it does not have.
+/// starts the program again with one BLAS thread, unless the environment says how many: OpenBLAS reads it when it is
+/// loaded. CPU seconds would otherwise contain those of threads that wait.
 inline void run_with_one_blas_thread(char** argv)
 {
-  if (std::getenv("OPENBLAS_NUM_THREADS") != nullptr && std::getenv("OMP_NUM_THREADS") != nullptr)
+  if (std::getenv("OPENBLAS_NUM_THREADS") != nullptr)
     return;
-  setenv("OPENBLAS_NUM_THREADS", "1", 0);
-  setenv("OMP_NUM_THREADS", "1", 0);
+  setenv("OPENBLAS_NUM_THREADS", "1", 1);
   execv("/proc/self/exe", argv);
 }
 
