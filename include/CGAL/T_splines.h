@@ -29,6 +29,7 @@
 #include <CGAL/T_splines/IO/write_map_obj.h>
 #include <CGAL/T_splines/Progress_visitor.h>
 #include <CGAL/T_splines/Similarity_map/Flip_policy.h>
+#include <CGAL/T_splines/Similarity_map/Seamless_map.h>
 #include <CGAL/T_splines/Similarity_map/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/Similarity_map_report.h>
 #include <CGAL/T_splines/Similarity_map/Similarity_metric.h>
