@@ -100,6 +100,12 @@ public:
   int quarter_turns(const Index vertex) const { return m_quarter_turns[vertex]; }
 
   // What the construction sets.
+  void clear_branches_and_determined()
+  {
+    m_determined.clear();
+    m_transitions.clear();
+    m_inverse_transitions.clear();
+  }
   void set_uv(const Index h, const std::array<double, 2>& uv)
   {
     m_uv[h] = uv;

@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_T_MESH_TRACE_MOTORCYCLE_GRAPH_H
+#define CGAL_T_SPLINES_T_MESH_TRACE_MOTORCYCLE_GRAPH_H
+
+#include <CGAL/T_splines/Progress_visitor.h>
+#include <CGAL/T_splines/Similarity_map/Seamless_map.h>
+#include <CGAL/T_splines/T_mesh/Motorcycle_graph_report.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_place.h>
+#include <CGAL/T_splines/T_mesh/Tracing_traits.h>
+#include <CGAL/T_splines/T_mesh/internal/Cell_places.h>
+#include <CGAL/T_splines/T_mesh/internal/Motorcycle_cells.h>
+#include <CGAL/T_splines/T_mesh/internal/Motorcycle_graph_writer.h>
+#include <CGAL/T_splines/T_mesh/internal/Motorcycle_tracer.h>
+#include <CGAL/T_splines/T_mesh/internal/Trace_arcs.h>
+#include <CGAL/T_splines/T_mesh/internal/Trace_geometry.h>
+#include <CGAL/T_splines/named_parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+
+namespace internal {
+
+template <typename TriangleMesh, typename VertexPointMap>
+std::vector<std::array<double, 3>> points_in_doubles(const Mesh_indexing<TriangleMesh>& indexing, const VertexPointMap map)
+{
+  std::vector<std::array<double, 3>> points(indexing.number_of_vertices());
+  for (int v = 0; v < indexing.number_of_vertices(); ++v) {
+    const auto& p = get(map, indexing.vertex(v));
+    points[v] = {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
+  }
+  return points;
+}
+
+/// Writes what the caller asked for.
+template <typename TriangleMesh, typename FT, typename TracingTraits, typename TMesh, typename NamedParameters>
+void write_motorcycle_graph_details(const Seamless_map<TriangleMesh, FT>& map,
+                                    const Motorcycle_tracer<FT, TracingTraits>& tracer,
+                                    const Trace_arcs<FT, TracingTraits>& arcs,
+                                    const Motorcycle_cells<FT, TracingTraits>& cells, const TracingTraits& traits,
+                                    const std::vector<std::array<double, 3>>& points,
+                                    const Motorcycle_graph_writer<FT, TracingTraits, TMesh>& writer, TMesh& t_mesh,
+                                    const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const Trace_geometry<FT, TracingTraits> geometry(map.layout(), points, tracer.stars(), tracer.traces(), arcs, cells);
+  writer.put_points(geometry, choose_parameter(get_parameter(np, np_tags::output_vertex_point_map),
+                                               get_property_map(CGAL::vertex_point, t_mesh)));
+  const auto polylines = get_parameter(np, np_tags::edge_polyline_map);
+  if constexpr (!is_missing<decltype(polylines)>)
+    writer.put_polylines(geometry, t_mesh, polylines);
+  const auto origins = get_parameter(np, np_tags::vertex_origin_map);
+  if constexpr (!is_missing<decltype(origins)>)
+    writer.put_origins(map.indexing(), tracer.stars(), origins);
+  const auto anchors = get_parameter(np, np_tags::face_anchor_map);
+  if constexpr (!is_missing<decltype(anchors)>)
+    writer.put_anchors(map.layout(), map.indexing(), tracer.traces(), arcs, anchors);
+  const auto places = get_parameter(np, np_tags::vertex_place_map);
+  if constexpr (!is_missing<decltype(places)>)
+    writer.put_places(map.layout(), map.indexing(),
+                      Cell_places<FT, TracingTraits>(map.layout(), tracer.stars(), tracer.traces(), arcs, cells, traits),
+                      places);
+}
+
+} // namespace internal
+
+/// The tracing traits for a map whose transitions have the number type `FT`.
+template <typename FT>
+using Default_tracing_traits =
+  std::conditional_t<std::is_floating_point<FT>::value, Inexact_tracing_traits, Exact_tracing_traits<FT>>;
+
+/// traces the motorcycle graph of a seamless map: a T-mesh with admissible halfedge knots ([CZ17] sections 5, 8).
+///
+/// From every cone, one motorcycle leaves along each isoline; also from the reflex corners of the border. They advance in the order of the
+/// way that they have made on the surface, ties by their numbers, and each one ends where it meets a cone, a border, or
+/// the trace of a motorcycle that was there before, its own included. A surface with neither cones nor border gets a seed,
+/// a regular vertex from which four motorcycles leave; so does an isoline on which a trace would spiral for ever.
+/// With an exact map and exact traits, every decision is exact, the faces are rectangles, and the knot intervals are
+/// exactly admissible. The same input gives the same output, bit by bit.
+///
+/// \tparam TriangleMesh the model of `FaceListGraph` and `HalfedgeListGraph` of the map
+/// \tparam FT the number type of the map
+/// \tparam TMesh a model of `MutableFaceGraph`. The T-mesh may be non-simple: two edges may join the same two vertices,
+///   and a face may meet itself
+/// \tparam HalfedgeKnotMap a model of `WritablePropertyMap`, halfedge of the T-mesh -> number; `FT` for exact knots; a
+///   floating point type for rounded ones
+/// \tparam HalfedgeCornerMap a model of `WritablePropertyMap`, halfedge of the T-mesh -> bool
+/// \param map a map made by `make_exactly_seamless()`
+/// \param t_mesh the T-mesh; it is written only if the status is SUCCESS. \pre It is empty
+/// \param knots the interval of each halfedge in the units of its face; not written on border halfedges
+/// \param corners whether the face turns, by a right angle, at the target of the halfedge; not written on border halfedges
+/// \param np optional named parameters:
+///   `CGAL::parameters::vertex_point_map`: points of the mapped mesh (default: its internal map);
+///   `CGAL::parameters::visitor`: a `Progress_visitor`;
+///   `T_splines::parameters::tracing_traits`: a model of `TracingTraits`, copied (default:
+///     `Default_tracing_traits<FT>`);
+///   `T_splines::parameters::output_vertex_point_map`: points of the T-mesh on the surface (default: its internal map);
+///   `T_splines::parameters::vertex_origin_map`: vertex of the T-mesh -> vertex of the mapped mesh that lies there, or
+///     `null_vertex()`;
+///   `T_splines::parameters::vertex_place_map`: vertex of the mapped mesh -> `T_mesh_place<TMesh, NT>`; of several
+///     faces one;
+///   `T_splines::parameters::face_anchor_map`: face of the T-mesh -> `T_mesh_anchor<TriangleMesh, FT>`;
+///   `T_splines::parameters::edge_polyline_map`: edge of the T-mesh -> sequence of points (`push_back()`), from the source to
+///     the target of `halfedge(e, t_mesh)`: its corners on the edges of the mesh.
+/// \return what was done. With an exact map and exact traits the status is SUCCESS unless the map is empty or the
+/// visitor stopped the work. Complexity: linear in the size of the mesh and, if no triangle is crossed often, in the
+/// number of crossed triangles; quadratic in the number of crossings of a single triangle.
+template <typename TriangleMesh, typename FT, typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Motorcycle_graph_report trace_motorcycle_graph(const Seamless_map<TriangleMesh, FT>& map, TMesh& t_mesh,
+                                               HalfedgeKnotMap knots, HalfedgeCornerMap corners,
+                                               const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Progress_visitor());
+  const auto traits = choose_parameter(get_parameter(np, np_tags::tracing_traits), Default_tracing_traits<FT>());
+  using Tracing_traits = std::decay_t<decltype(traits)>;
+  Motorcycle_graph_report report;
+  const internal::Seamless_layout<FT>& layout = map.layout();
+  if (layout.mesh().number_of_faces() == 0) {
+    report.status = Motorcycle_graph_status::EMPTY_MAP;
+    return report;
+  }
+  const std::vector<std::array<double, 3>> points = internal::points_in_doubles(
+    map.indexing(), choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                     get_const_property_map(CGAL::vertex_point, map.mesh())));
+  visitor.begin_stage("tracing");
+  internal::Motorcycle_tracer<FT, Tracing_traits> tracer(layout, points, traits);
+  report.status = tracer.trace(visitor);
+  report.motorcycles = tracer.number_of_motorcycles();
+  report.seeds = tracer.number_of_seeds();
+  report.crossed_faces = tracer.traces().chords.size();
+  report.predicates = traits.statistics();
+  if (!report.success())
+    return report;
+  visitor.begin_stage("T-mesh");
+  const internal::Trace_arcs<FT, Tracing_traits> arcs(layout, tracer.stars(), tracer.traces(), traits);
+  const internal::Motorcycle_cells<FT, Tracing_traits> cells(arcs);
+  if (!cells.is_t_mesh()) {
+    report.status = Motorcycle_graph_status::NO_T_MESH;
+    return report;
+  }
+  for (int h = 0; h < cells.number_of_halfedges(); ++h)
+    report.t_joints += !cells.is_border(h) && !cells.halfedge(h).is_corner ? 1 : 0;
+  const internal::Motorcycle_graph_writer<FT, Tracing_traits, TMesh> writer(cells, t_mesh);
+  writer.put_knots(knots, corners);
+  internal::write_motorcycle_graph_details(map, tracer, arcs, cells, traits, points, writer, t_mesh, np);
+  report.predicates = traits.statistics();
+  return report;
+}
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_T_MESH_TRACE_MOTORCYCLE_GRAPH_H
