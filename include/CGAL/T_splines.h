@@ -24,10 +24,14 @@
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
 #include <CGAL/T_splines/IO/Mesh_reading_report.h>
+#include <CGAL/T_splines/IO/T_mesh_reading_report.h>
 #include <CGAL/T_splines/IO/read_map_obj.h>
+#include <CGAL/T_splines/IO/read_t_mesh.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
 #include <CGAL/T_splines/IO/write_map_obj.h>
+#include <CGAL/T_splines/IO/write_t_mesh.h>
 #include <CGAL/T_splines/Progress_visitor.h>
+#include <CGAL/T_splines/Similarity_map/Exact_map_report.h>
 #include <CGAL/T_splines/Similarity_map/Flip_policy.h>
 #include <CGAL/T_splines/Similarity_map/Seamless_map.h>
 #include <CGAL/T_splines/Similarity_map/Similarity_2.h>
@@ -35,11 +39,18 @@
 #include <CGAL/T_splines/Similarity_map/Similarity_metric.h>
 #include <CGAL/T_splines/Similarity_map/compute_seamless_similarity_map.h>
 #include <CGAL/T_splines/Similarity_map/compute_similarity_metric.h>
+#include <CGAL/T_splines/Similarity_map/make_exactly_seamless.h>
 #include <CGAL/T_splines/Solver/Cholmod_spd_solver_traits.h>
 #include <CGAL/T_splines/Solver/Eigen_spd_solver_traits.h>
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
 #include <CGAL/T_splines/Solver/default_solver.h>
 #include <CGAL/T_splines/Solver/preconditioned_conjugate_gradients.h>
+#include <CGAL/T_splines/T_mesh/Motorcycle_graph_report.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_place.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_roots.h>
+#include <CGAL/T_splines/T_mesh/Tracing_traits.h>
+#include <CGAL/T_splines/T_mesh/place_T_mesh.h>
+#include <CGAL/T_splines/T_mesh/trace_motorcycle_graph.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #endif // CGAL_T_SPLINES_H

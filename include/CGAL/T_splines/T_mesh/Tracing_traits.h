@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 namespace CGAL {
 namespace T_splines {
@@ -132,6 +133,11 @@ public:
 private:
   mutable Predicate_statistics m_statistics;
 };
+
+/// The tracing traits for a map whose transitions have the number type `FT`.
+template <typename FT>
+using Default_tracing_traits =
+  std::conditional_t<std::is_floating_point<FT>::value, Inexact_tracing_traits, Exact_tracing_traits<FT>>;
 
 } // namespace T_splines
 } // namespace CGAL

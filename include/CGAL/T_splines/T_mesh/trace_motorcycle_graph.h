@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
 #include <CGAL/T_splines/T_mesh/Tracing_traits.h>
 #include <CGAL/T_splines/T_mesh/internal/Cell_places.h>
+#include <CGAL/T_splines/T_mesh/internal/Chart_points.h>
 #include <CGAL/T_splines/T_mesh/internal/Motorcycle_cells.h>
 #include <CGAL/T_splines/T_mesh/internal/Motorcycle_graph_writer.h>
 #include <CGAL/T_splines/T_mesh/internal/Motorcycle_tracer.h>
@@ -20,7 +21,6 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <array>
 #include <type_traits>
@@ -30,17 +30,6 @@ namespace CGAL {
 namespace T_splines {
 
 namespace internal {
-
-template <typename TriangleMesh, typename VertexPointMap>
-std::vector<std::array<double, 3>> points_in_doubles(const Mesh_indexing<TriangleMesh>& indexing, const VertexPointMap map)
-{
-  std::vector<std::array<double, 3>> points(indexing.number_of_vertices());
-  for (int v = 0; v < indexing.number_of_vertices(); ++v) {
-    const auto& p = get(map, indexing.vertex(v));
-    points[v] = {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
-  }
-  return points;
-}
 
 /// Writes what the caller asked for.
 template <typename TriangleMesh, typename FT, typename TracingTraits, typename TMesh, typename NamedParameters>
@@ -74,11 +63,6 @@ void write_motorcycle_graph_details(const Seamless_map<TriangleMesh, FT>& map,
 }
 
 } // namespace internal
-
-/// The tracing traits for a map whose transitions have the number type `FT`.
-template <typename FT>
-using Default_tracing_traits =
-  std::conditional_t<std::is_floating_point<FT>::value, Inexact_tracing_traits, Exact_tracing_traits<FT>>;
 
 /// traces the motorcycle graph of a seamless map: a T-mesh with admissible halfedge knots ([CZ17] sections 5, 8).
 ///

@@ -20,5 +20,17 @@ CGAL_T_SPLINES_NAMED_PARAMETER(output_vertex_point_map)
 CGAL_T_SPLINES_NAMED_PARAMETER(vertex_location_map)
 CGAL_T_SPLINES_NAMED_PARAMETER(edge_is_cut_map)
 CGAL_T_SPLINES_NAMED_PARAMETER(halfedge_transition_map)
+CGAL_T_SPLINES_NAMED_PARAMETER(transition_tolerance)
+
+// T_mesh
+CGAL_T_SPLINES_NAMED_PARAMETER(tracing_traits)
+CGAL_T_SPLINES_NAMED_PARAMETER(vertex_origin_map)
+CGAL_T_SPLINES_NAMED_PARAMETER(vertex_place_map)
+CGAL_T_SPLINES_NAMED_PARAMETER(face_anchor_map)
+CGAL_T_SPLINES_NAMED_PARAMETER(edge_polyline_map)
+CGAL_T_SPLINES_NAMED_PARAMETER(relative_tolerance)
+
+// IO
+CGAL_T_SPLINES_NAMED_PARAMETER(vertex_weight_map)
 
 #endif // CGAL_T_SPLINES_NAMED_PARAMETER

@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/IO/internal/parse_off.h>
 #include <CGAL/T_splines/IO/internal/parse_ply.h>
 #include <CGAL/T_splines/IO/internal/parse_stl.h>
+#include <CGAL/T_splines/IO/internal/read_whole_file.h>
 #include <CGAL/T_splines/IO/internal/triangulate_polygon_soup.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -21,29 +22,13 @@
 #include <cctype>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 namespace CGAL {
 namespace T_splines {
 namespace internal {
-
-/// The bytes of a file. \return whether they could be read.
-inline bool read_whole_file(const std::string& filename, std::string& content)
-{
-  std::error_code error;
-  if (std::filesystem::is_directory(filename, error))
-    return false;
-  std::ifstream stream(filename, std::ios::binary);
-  if (!stream)
-    return false;
-  content.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
-  return !stream.bad();
-}
 
 inline std::string lowercase_extension(const std::string& filename)
 {

@@ -97,10 +97,12 @@ public:
   /// \param transition function object: halfedge -> transition from the chart of its face to that of its opposite's
   /// \param quarter_turns, kept per cut vertex: its angle, and the sector whose chart is meant
   /// \param start per cut vertex; written on the border only
+  /// \return a loop without corners whose line the transitions around it do not map to itself, or -1
   template <typename FT, typename Transition_of>
-  void compute(const Transition_of& transition, const std::vector<int>& quarter_turns, const std::vector<int>& kept,
+  int compute(const Transition_of& transition, const std::vector<int>& quarter_turns, const std::vector<int>& kept,
                std::vector<std::pair<FT, FT>>& start) const
   {
+    int open_loop = -1;
     for (const std::vector<int>& loop : m_loops) {
       const auto corner = std::find_if(loop.begin(), loop.end(), [&](const int i) { return quarter_turns[i] % 2 != 0; });
       const std::size_t n = loop.size(), first = corner == loop.end() ? 0 : corner - loop.begin();
@@ -117,9 +119,11 @@ public:
         }
       }
       for (std::size_t k = 0; k < n; ++k)
-        place(transition, loop[k], quarter_turns[loop[k]], kept[loop[k]], line[k], line[(k + 1) % n],
-              start);
+        place(transition, loop[k], quarter_turns[loop[k]], kept[loop[k]], line[k], line[(k + 1) % n], start);
+      if (corner == loop.end() && carried(transition, loop[0], line[0]).value != line[1 % n].value)
+        open_loop = static_cast<int>(&loop - m_loops.data());
     }
+    return open_loop;
   }
 
 private:

@@ -24,16 +24,15 @@ struct Cut_sectors {
   std::vector<Index> halfedge;     ///< per sector, counter-clockwise around each vertex, from the border if there is one
   std::vector<char> is_on_border;  ///< per entry of `vertices`
 
-  /// \param is_cut function object: edge -> bool
-  template <typename IsCut>
-  Cut_sectors(const Triangulation_connectivity& mesh, const IsCut& is_cut) : first_sector(1, 0)
+  /// \param is_cut per edge
+  Cut_sectors(const Triangulation_connectivity& mesh, const std::vector<char>& is_cut) : first_sector(1, 0)
   {
     std::vector<Index> start(mesh.number_of_vertices(), mesh.null);
     for (Index h = 0; h < mesh.number_of_halfedges(); ++h) {
       if (mesh.face(h) == mesh.null)
         continue;
       const bool is_border = mesh.face(h ^ 1) == mesh.null;
-      if (is_border || (is_cut(h >> 1) && start[mesh.source(h)] == mesh.null))
+      if (is_border || (is_cut[h >> 1] && start[mesh.source(h)] == mesh.null))
         start[mesh.source(h)] = h;
     }
     for (Index v = 0; v < mesh.number_of_vertices(); ++v)
@@ -49,26 +48,26 @@ struct Cut_sectors {
   int degree(const int i) const { return number_of_sectors(i) - (is_on_border[i] ? 1 : 0); }
 
   /// Calls `visit(h)` for the halfedges that point to the vertex inside a sector.
-  template <typename IsCut, typename Visit>
-  static void for_each_corner(const Triangulation_connectivity& mesh, const IsCut& is_cut, const Index sector,
-                              const Visit& visit)
+  template <typename Visit>
+  static void for_each_corner(const Triangulation_connectivity& mesh, const std::vector<char>& is_cut,
+                              const Index sector, const Visit& visit)
   {
     Index h = sector;
     do {
       const Index corner = mesh.previous(h);
       visit(corner);
       h = corner ^ 1;
-    } while (mesh.face(h) != mesh.null && !is_cut(h >> 1));
+    } while (mesh.face(h) != mesh.null && !is_cut[h >> 1]);
   }
 
 private:
-  template <typename IsCut>
-  void add_vertex(const Triangulation_connectivity& mesh, const IsCut& is_cut, const Index v, const Index start)
+  void add_vertex(const Triangulation_connectivity& mesh, const std::vector<char>& is_cut, const Index v,
+                  const Index start)
   {
     const bool starts_on_border = mesh.face(start ^ 1) == mesh.null;
     Index h = start;
     do {
-      if (h == start || is_cut(h >> 1))
+      if (h == start || is_cut[h >> 1])
         halfedge.push_back(h);
       h = mesh.next_around_source(h);
     } while (h != start && mesh.face(h) != mesh.null);
@@ -78,7 +77,8 @@ private:
   }
 };
 
-/// The cut of a surface as a graph: its nodes are vertices, its branches paths of cut edges between them.
+/// The cut of a surface as a graph: its nodes are vertices and loops of the border, its branches paths of cut edges
+/// between them.
 class Cut_graph {
   using Index = Triangulation_connectivity::Index;
 
@@ -91,8 +91,11 @@ public:
     bool is_outgoing; ///< the branch starts here
   };
 
-  /// \param is_node per entry of `sectors.vertices`: those with a number of cut edges other than two must be nodes
-  Cut_graph(const Triangulation_connectivity& mesh, const Cut_sectors& sectors, const std::vector<char>& is_node)
+  /// \param is_node per entry of `sectors.vertices`: those with a number of cut edges other than two and those on the
+  ///   border must be nodes
+  /// \param border_loops entries on each loop of the border, with the surface on the right: the first nodes
+  Cut_graph(const Triangulation_connectivity& mesh, const Cut_sectors& sectors, const std::vector<char>& is_node,
+            const std::vector<std::vector<int>>& border_loops)
     : m_branch(mesh.number_of_edges(), none),
       m_is_along(mesh.number_of_edges(), 1)
   {
@@ -110,18 +113,18 @@ public:
         node[i] = 1;
         follow_all(mesh, sectors, node, place, i);
       }
-    collect_ends(mesh, sectors, node, place);
+    collect_ends(mesh, sectors, node, place, border_loops);
   }
 
   int number_of_branches() const { return static_cast<int>(m_branch_begin.size()) - 1; }
   int number_of_nodes() const { return static_cast<int>(m_nodes.size()); }
   int number_of_edges() const { return static_cast<int>(m_path.size()); }
 
-  /// The entry of a node in the list of cut vertices.
+  /// The entry of a node in the list of cut vertices; of a loop, the first one.
   int cut_vertex(const int node) const { return m_nodes[node]; }
 
   int number_of_ends(const int node) const { return m_end_begin[node + 1] - m_end_begin[node]; }
-  /// The ends of branches at a node, counter-clockwise, from the border if there is one.
+  /// The ends of branches at a node, counter-clockwise; on a loop, from the border at its first vertex.
   const End& end(const int node, const int i) const { return m_ends[m_end_begin[node] + i]; }
 
   /// The nodes in which a branch starts and ends.
@@ -166,19 +169,29 @@ private:
   }
 
   void collect_ends(const Triangulation_connectivity& mesh, const Cut_sectors& sectors,
-                    const std::vector<char>& is_node, const std::vector<int>& place)
+                    const std::vector<char>& is_node, const std::vector<int>& place,
+                    const std::vector<std::vector<int>>& border_loops)
   {
     std::vector<int> node_of_place(is_node.size(), none);
-    for (int i = 0; i < sectors.number_of_vertices(); ++i) {
-      if (!is_node[i])
-        continue;
-      node_of_place[i] = number_of_nodes();
-      m_nodes.push_back(i);
+    const auto add_ends = [&](const int i) {
+      node_of_place[i] = number_of_nodes() - 1;
       for (int k = sectors.first_sector[i]; k < sectors.first_sector[i + 1]; ++k) {
         const Index h = sectors.halfedge[k];
         if (m_branch[h >> 1] != none)
           m_ends.push_back({m_branch[h >> 1], is_along(h)});
       }
+    };
+    for (const std::vector<int>& loop : border_loops) {
+      m_nodes.push_back(loop.front());
+      for (const int i : loop)
+        add_ends(i);
+      m_end_begin.push_back(static_cast<int>(m_ends.size()));
+    }
+    for (int i = 0; i < sectors.number_of_vertices(); ++i) {
+      if (!is_node[i] || sectors.is_on_border[i])
+        continue;
+      m_nodes.push_back(i);
+      add_ends(i);
       m_end_begin.push_back(static_cast<int>(m_ends.size()));
     }
     for (int b = 0; b < number_of_branches(); ++b)

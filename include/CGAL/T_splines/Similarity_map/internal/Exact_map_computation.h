@@ -5,21 +5,19 @@
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_EXACT_MAP_COMPUTATION_H
 
 #include <CGAL/T_splines/Similarity_map/Exact_map_report.h>
+#include <CGAL/T_splines/Similarity_map/internal/Border_lines.h>
 #include <CGAL/T_splines/Similarity_map/internal/Branch_fit.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>
+#include <CGAL/T_splines/Similarity_map/internal/Exact_corners.h>
 #include <CGAL/T_splines/Similarity_map/internal/Exact_transitions.h>
 #include <CGAL/T_splines/Similarity_map/internal/Seamless_layout.h>
-#include <CGAL/T_splines/Similarity_map/internal/Sector_values.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
 #include <CGAL/T_splines/Similarity_map/internal/uv_orientation.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -63,21 +61,20 @@ public:
     if (!check_coordinates() || !check_triangles())
       return false;
     const Uv_seams seams(m_mesh, m_uv, m_tolerance);
-    const auto is_cut = [&seams](const Index edge) { return seams.is_cut(edge); };
-    const Cut_sectors sectors(m_mesh, is_cut);
+    const Cut_sectors sectors(m_mesh, seams.cut_edges());
+    const Border_lines border(m_mesh, m_uv, sectors);
     std::vector<int> quarter_turns; // per cut vertex
-    if (!read_cone_angles(sectors, is_cut, quarter_turns))
+    if (!check_border(border) || !read_cone_angles(sectors, seams.cut_edges(), quarter_turns))
       return false;
-    const Cut_graph graph(m_mesh, sectors, nodes(sectors, quarter_turns));
+    const Cut_graph graph(m_mesh, sectors, nodes(sectors, quarter_turns), border.loops());
     std::vector<Branch_fit> fits;
     if (!fit_branches(graph, fits))
       return false;
-    const std::vector<Cut_node_kind> kinds = kinds_of_nodes(sectors, graph, quarter_turns);
+    const Cut_map map{m_mesh, m_uv, seams.cut_edges(), sectors, border, graph, fits, quarter_turns};
     const std::vector<double> uncertainty = scale_uncertainty(fits);
-    if (!check_scale_products(sectors, graph, kinds, fits) || !check_closing(graph, kinds, fits, uncertainty))
-      return false;
-    make_exact(sectors, is_cut, graph, fits, kinds, uncertainty, quarter_turns);
-    return m_figures.status == Exact_map_status::EXACT && check_quarter_turns(sectors, quarter_turns);
+    const std::vector<Cut_node_kind> kinds = kinds_of_nodes(map, uncertainty);
+    return check_scale_products(map, kinds) && check_closing(map, kinds, uncertainty) &&
+           make_exact(map, kinds, uncertainty) && check_quarter_turns(sectors, quarter_turns);
   }
 
   const Exact_map_figures& figures() const { return m_figures; }
@@ -122,9 +119,14 @@ private:
     return fail(is_flipped ? Exact_map_status::FLIPPED_TRIANGLES : Exact_map_status::DEGENERATE_TRIANGLES, none, none, 0);
   }
 
+  bool check_border(const Border_lines& border)
+  {
+    const std::pair<Index, double> oblique = border.first_oblique_edge(m_tolerance);
+    return oblique.first == m_mesh.null || fail(Exact_map_status::BORDER_NOT_ALIGNED, none, oblique.first, oblique.second);
+  }
+
   // The angles around cut vertices must be multiples of a right angle, up to what the tolerance makes of short edges.
-  template <typename IsCut>
-  bool read_cone_angles(const Cut_sectors& sectors, const IsCut& is_cut, std::vector<int>& quarter_turns)
+  bool read_cone_angles(const Cut_sectors& sectors, const std::vector<char>& is_cut, std::vector<int>& quarter_turns)
   {
     constexpr double largest_uncertainty = 0.05;
     const double quarter = 2 * std::atan(1.);
@@ -153,17 +155,36 @@ private:
     return result;
   }
 
-  static std::vector<Cut_node_kind> kinds_of_nodes(const Cut_sectors& sectors, const Cut_graph& graph,
-                                                   const std::vector<int>& quarter_turns)
+  static std::vector<Cut_node_kind> kinds_of_nodes(const Cut_map& map, const std::vector<double>& uncertainty)
   {
     std::vector<Cut_node_kind> result;
-    for (int node = 0; node < graph.number_of_nodes(); ++node) {
-      const int i = graph.cut_vertex(node);
-      result.push_back(sectors.is_on_border[i]        ? Cut_node_kind::BORDER
-                       : quarter_turns[i] % 4 == 0 ? Cut_node_kind::IDENTITY
-                                                   : Cut_node_kind::ROTATION);
+    const int number_of_loops = static_cast<int>(map.border.loops().size());
+    for (int node = 0; node < map.graph.number_of_nodes(); ++node) {
+      if (node < number_of_loops)
+        result.push_back(kind_of_loop(map, uncertainty, node));
+      else
+        result.push_back(map.quarter_turns[map.graph.cut_vertex(node)] % 4 == 0 ? Cut_node_kind::IDENTITY
+                                                                              : Cut_node_kind::ROTATION);
     }
     return result;
+  }
+
+  // A loop of the border without corners lies on one line; if the transitions around it are a translation, then along
+  // this line. A similarity or a half turn has its own invariant line.
+  static Cut_node_kind kind_of_loop(const Cut_map& map, const std::vector<double>& uncertainty, const int node)
+  {
+    double log_scale = 0, allowed = 0;
+    int rotation = 0;
+    for (int i = 0; i < map.graph.number_of_ends(node); ++i) {
+      const Cut_graph::End& end = map.graph.end(node, i);
+      const int sign = end.is_outgoing ? -1 : 1;
+      log_scale += sign * std::log(map.fits[end.branch].scale());
+      rotation += sign * map.fits[end.branch].quarter_turns();
+      allowed += uncertainty[end.branch];
+    }
+    if (map.border.has_corner(node, map.quarter_turns) || rotation % 4 != 0 || std::abs(log_scale) > allowed)
+      return Cut_node_kind::BORDER;
+    return map.border.first_axis(node) == 0 ? Cut_node_kind::BORDER_LINE_U : Cut_node_kind::BORDER_LINE_V;
   }
 
   bool fit_branches(const Cut_graph& graph, std::vector<Branch_fit>& fits)
@@ -197,229 +218,64 @@ private:
     return result;
   }
 
-  bool check_scale_products(const Cut_sectors& sectors, const Cut_graph& graph, const std::vector<Cut_node_kind>& kinds,
-                            const std::vector<Branch_fit>& fits)
+  bool check_scale_products(const Cut_map& map, const std::vector<Cut_node_kind>& kinds)
   {
-    for (int node = 0; node < graph.number_of_nodes(); ++node) {
-      if (kinds[node] == Cut_node_kind::BORDER)
+    for (int node = 0; node < map.graph.number_of_nodes(); ++node) {
+      if (kinds[node] != Cut_node_kind::IDENTITY && kinds[node] != Cut_node_kind::ROTATION)
         continue;
       double log_product = 0, allowed = m_tolerance;
-      for (int i = 0; i < graph.number_of_ends(node); ++i) {
-        const Cut_graph::End& end = graph.end(node, i);
-        log_product += (end.is_outgoing ? -1 : 1) * std::log(fits[end.branch].scale());
-        allowed += fits[end.branch].scale_uncertainty(m_tolerance);
+      for (int i = 0; i < map.graph.number_of_ends(node); ++i) {
+        const Cut_graph::End& end = map.graph.end(node, i);
+        log_product += (end.is_outgoing ? -1 : 1) * std::log(map.fits[end.branch].scale());
+        allowed += map.fits[end.branch].scale_uncertainty(m_tolerance);
       }
       if (!(std::abs(log_product) <= allowed))
-        return fail(Exact_map_status::SCALE_PRODUCT, sectors.vertices[graph.cut_vertex(node)], none,
+        return fail(Exact_map_status::SCALE_PRODUCT, map.sectors.vertices[map.graph.cut_vertex(node)], none,
                     std::abs(std::expm1(log_product)));
     }
     return true;
   }
 
   // With the scale factors of the map itself, the transitions that close around the nodes must still fit.
-  bool check_closing(const Cut_graph& graph, const std::vector<Cut_node_kind>& kinds,
-                     const std::vector<Branch_fit>& fits, const std::vector<double>& uncertainty)
+  bool check_closing(const Cut_map& map, const std::vector<Cut_node_kind>& kinds,
+                     const std::vector<double>& uncertainty)
   {
-    Exact_transitions<double> transitions(graph, fits, kinds, uncertainty);
+    Exact_transitions<double> transitions(map.graph, map.fits, kinds, uncertainty);
     transitions.compute(53);
-    for (int b = 0; b < graph.number_of_branches(); ++b) {
+    for (int b = 0; b < map.graph.number_of_branches(); ++b) {
       const Similarity_2<double> t = transitions.transition(b);
-      const std::pair<double, Index> worst = fits[b].deviation_from(t.scale(), {t.u(), t.v()});
+      const std::pair<double, Index> worst = map.fits[b].deviation_from(t.scale(), {t.u(), t.v()});
       if (!(worst.first <= m_tolerance))
         return fail(Exact_map_status::TRANSITION_NOT_SIMILAR, none, worst.second, worst.first);
     }
     return true;
   }
 
-  template <typename IsCut>
-  void make_exact(const Cut_sectors& sectors, const IsCut& is_cut, const Cut_graph& graph,
-                  const std::vector<Branch_fit>& fits, const std::vector<Cut_node_kind>& kinds,
-                  const std::vector<double>& uncertainty, const std::vector<int>& quarter_turns)
+  // Scale factors get more bits until no triangle changes much.
+  bool make_exact(const Cut_map& map, const std::vector<Cut_node_kind>& kinds, const std::vector<double>& uncertainty)
   {
-    const std::vector<int> kept = kept_sectors(sectors, is_cut, graph, fits, quarter_turns);
-    const std::vector<int> faces = faces_at_cut(sectors, is_cut);
-    m_layout = Seamless_layout<FT>(m_mesh, m_uv);
-    Exact_transitions<FT> transitions(graph, fits, kinds, uncertainty);
+    const Exact_corners corners(map);
+    Exact_transitions<FT> transitions(map.graph, map.fits, kinds, uncertainty);
     m_figures.is_isometric = transitions.is_isometric();
-    constexpr int last = 53;
-    for (int bits = m_figures.is_isometric ? last : 8; ; bits = std::min(bits + 4, last)) {
+    m_layout = Seamless_layout<FT>(m_mesh, m_uv);
+    constexpr int first = 8, step = 4, last = 53;
+    for (int bits = m_figures.is_isometric ? last : first;; bits = std::min(bits + step, last)) {
       m_figures.scale_bits = m_figures.is_isometric ? 0 : bits;
       transitions.compute(bits);
-      if (bits < last && !try_in_doubles(sectors, is_cut, graph, transitions, kept, faces))
+      if (bits < last && !corners.is_harmless(transitions))
         continue;
-      m_layout.clear_branches_and_determined();
-      set_branches(graph, transitions);
-      set_corners(sectors, is_cut, kept);
-      find_lost_faces(faces);
+      const int open_loop = corners.write(transitions, m_layout);
+      if (open_loop != -1)
+        return fail(Exact_map_status::BORDER_NOT_CLOSED, map.sectors.vertices[map.border.loops()[open_loop].front()],
+                    none, 0);
+      m_figures.faces = corners.lost_faces(m_layout);
       if (m_figures.faces.empty() || bits == last)
         break;
     }
-    if (!m_figures.faces.empty())
-      fail(Exact_map_status::ORIENTATION_LOST, none, none, 0);
-    measure_displacement(faces);
-  }
-
-  // At each cut vertex the sector of the flattest triangle is kept: it suffers most from a displacement.
-  template <typename IsCut>
-  std::vector<int> kept_sectors(const Cut_sectors& sectors, const IsCut& is_cut, const Cut_graph& graph,
-                                const std::vector<Branch_fit>& fits, const std::vector<int>& quarter_turns) const
-  {
-    std::vector<int> result;
-    for (int i = 0; i < sectors.number_of_vertices(); ++i) {
-      if (!sectors.is_on_border[i] && quarter_turns[i] % 4 != 0) {
-        result.push_back(fixed_point);
-        continue;
-      }
-      double scale = 1, smallest = 0; // of the sector's chart, and a height in the chart of the first sector
-      int best = none;
-      for (int k = 0; k < sectors.number_of_sectors(i); ++k) {
-        const Index h = sectors.halfedge[sectors.first_sector[i] + k];
-        if (k > 0) {
-          const double factor = fits[graph.branch_of_edge(h >> 1)].scale();
-          scale *= graph.is_along(h ^ 1) ? factor : 1 / factor;
-        }
-        Cut_sectors::for_each_corner(m_mesh, is_cut, h, [&](const Index corner) {
-          const double height = height_over_opposite_side(corner) / scale;
-          if (best == none || height < smallest) {
-            smallest = height;
-            best = k;
-          }
-        });
-      }
-      result.push_back(best);
-    }
-    return result;
-  }
-
-  static double area(const Uv_array& uv, const Triangulation_connectivity& mesh, const Index h)
-  {
-    const std::array<double, 2>&p = uv[h], &q = uv[mesh.next(h)], &r = uv[mesh.previous(h)];
-    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
-  }
-
-  double height_over_opposite_side(const Index corner) const
-  {
-    return area(m_uv, m_mesh, corner) / distance(m_uv[m_mesh.next(corner)], m_uv[m_mesh.previous(corner)]);
-  }
-
-  template <typename IsCut>
-  std::vector<int> faces_at_cut(const Cut_sectors& sectors, const IsCut& is_cut) const
-  {
-    std::vector<char> is_listed(m_mesh.number_of_faces(), 0);
-    std::vector<int> result;
-    for (const Index sector : sectors.halfedge)
-      Cut_sectors::for_each_corner(m_mesh, is_cut, sector, [&](const Index h) {
-        if (!is_listed[m_mesh.face(h)])
-          result.push_back(m_mesh.face(h));
-        is_listed[m_mesh.face(h)] = 1;
-      });
-    std::sort(result.begin(), result.end());
-    return result;
-  }
-
-  // Whether no triangle changes its area by more than a factor 2, as far as doubles tell.
-  template <typename IsCut>
-  bool try_in_doubles(const Cut_sectors& sectors, const IsCut& is_cut, const Cut_graph& graph,
-                      const Exact_transitions<FT>& transitions, const std::vector<int>& kept,
-                      const std::vector<int>& faces) const
-  {
-    std::vector<Similarity_2<double>> along, against;
-    for (int b = 0; b < graph.number_of_branches(); ++b) {
-      const Similarity_2<FT> t = transitions.transition(b);
-      const double scale = CGAL::to_double(t.scale());
-      if (!(scale > 0) || !std::isfinite(scale))
-        return false;
-      along.emplace_back(t.quarter_turns(), scale, CGAL::to_double(t.u()), CGAL::to_double(t.v()));
-      against.push_back(along.back().inverse());
-    }
-    const auto transition = [&](const Index h) -> const Similarity_2<double>& {
-      return (graph.is_along(h) ? along : against)[graph.branch_of_edge(h >> 1)];
-    };
-    Uv_array uv = m_uv;
-    std::vector<std::pair<double, double>> values;
-    for (int i = 0; i < sectors.number_of_vertices(); ++i) {
-      compute_sector_values(sectors, i, transition, kept[i], start_value<double>(sectors, i, kept[i]), values);
-      for (int k = 0; k < sectors.number_of_sectors(i); ++k)
-        Cut_sectors::for_each_corner(m_mesh, is_cut, sectors.halfedge[sectors.first_sector[i] + k], [&](const Index h) {
-          uv[h] = {{values[k].first, values[k].second}};
-        });
-    }
-    for (const int f : faces) {
-      const Index h = m_mesh.halfedge_of_face(f);
-      const double before = area(m_uv, m_mesh, h), after = area(uv, m_mesh, h);
-      if (!(after >= before / 2 && after <= before * 2))
-        return false;
-    }
-    return true;
-  }
-
-  template <typename Number>
-  std::pair<Number, Number> start_value(const Cut_sectors& sectors, const int i, const int kept) const
-  {
-    const Index h = m_mesh.previous(sectors.halfedge[sectors.first_sector[i] + std::max(kept, 0)]);
-    return {Number(m_uv[h][0]), Number(m_uv[h][1])};
-  }
-
-  void set_branches(const Cut_graph& graph, const Exact_transitions<FT>& transitions)
-  {
-    for (int b = 0; b < graph.number_of_branches(); ++b) {
-      m_layout.add_branch(transitions.transition(b));
-      for (int i = 0; i < graph.length(b); ++i)
-        m_layout.set_branch(graph.halfedge(b, i), b);
-    }
-  }
-
-  template <typename IsCut>
-  void set_corners(const Cut_sectors& sectors, const IsCut& is_cut, const std::vector<int>& kept)
-  {
-    const auto transition = [this](const Index h) -> const Similarity_2<FT>& { return m_layout.transition(h); };
-    std::vector<std::pair<FT, FT>> values;
-    for (int i = 0; i < sectors.number_of_vertices(); ++i) {
-      const bool is_closed =
-          compute_sector_values(sectors, i, transition, kept[i], start_value<FT>(sectors, i, kept[i]), values);
-      CGAL_assertion(is_closed || !is_exact());
-      CGAL_USE(is_closed);
-      for (int k = 0; k < sectors.number_of_sectors(i); ++k)
-        set_sector(is_cut, sectors.halfedge[sectors.first_sector[i] + k], k == kept[i], values[k]);
-    }
-  }
-
-  // Coordinates that are doubles are stored as such.
-  template <typename IsCut>
-  void set_sector(const IsCut& is_cut, const Index sector, const bool is_kept, const std::pair<FT, FT>& value)
-  {
-    const std::array<double, 2> rounded = {{CGAL::to_double(value.first), CGAL::to_double(value.second)}};
-    const bool is_double = is_kept || (FT(rounded[0]) == value.first && FT(rounded[1]) == value.second);
-    const int determined = is_double ? none : m_layout.add_determined(value.first, value.second);
-    Cut_sectors::for_each_corner(m_mesh, is_cut, sector, [&](const Index h) {
-      if (is_double)
-        m_layout.set_uv(h, rounded);
-      else
-        m_layout.set_determined(h, determined);
-    });
-  }
-
-  static constexpr bool is_exact() { return CGAL::Algebraic_structure_traits<FT>::Is_exact::value; }
-
-  void find_lost_faces(const std::vector<int>& faces)
-  {
-    m_figures.faces.clear();
-    for (const int f : faces)
-      if (uv_orientation(m_layout, m_mesh.halfedge_of_face(f)) != CGAL::POSITIVE)
-        m_figures.faces.push_back(f);
-  }
-
-  void measure_displacement(const std::vector<int>& faces)
-  {
-    for (const int f : faces) {
-      Index h = m_mesh.halfedge_of_face(f);
-      double displacement = 0, side = 0;
-      for (int k = 0; k < 3; ++k, h = m_mesh.next(h)) {
-        displacement = std::max(displacement, distance(m_uv[h], m_layout.uv(h)));
-        side = std::max(side, distance(m_uv[h], m_uv[m_mesh.next(h)]));
-      }
-      m_figures.largest_displacement = std::max(m_figures.largest_displacement, displacement / side);
-    }
+    for (const int f : corners.faces())
+      m_figures.largest_displacement =
+          std::max(m_figures.largest_displacement, corners.displacement(f, m_layout.coordinates()));
+    return m_figures.faces.empty() || fail(Exact_map_status::ORIENTATION_LOST, none, none, 0);
   }
 
   // The exact count must be what the angles were taken for.

@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>
 #include <CGAL/T_splines/Similarity_map/internal/Gaussian_number.h>
 
+#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -26,9 +27,11 @@ namespace internal {
 
 /// What the transitions around a node of the cut must compose to.
 enum class Cut_node_kind : char {
-  IDENTITY, ///< the rotations cancel: the identity
-  ROTATION, ///< a rotation by quarter turns about any point
-  BORDER    ///< there is nothing to go around
+  IDENTITY,      ///< the rotations cancel: the identity
+  ROTATION,      ///< a rotation by quarter turns about any point
+  BORDER,        ///< a loop of the border that asks for nothing
+  BORDER_LINE_U, ///< a loop on one line, u constant in the first chart: a translation along v
+  BORDER_LINE_V  ///< a loop on one line, v constant in the first chart: a translation along u
 };
 
 /// Exact transitions of the branches of a cut, near those that fit them in doubles.
@@ -49,6 +52,7 @@ public:
                     const std::vector<double>& uncertainty)
     : m_graph(graph),
       m_fits(fits),
+      m_kind(kind),
       m_scale_forest(graph, nodes_of_kind(kind, {Cut_node_kind::BORDER}), uncertainty),
       m_translation_forest(graph, nodes_of_kind(kind, {Cut_node_kind::BORDER, Cut_node_kind::ROTATION}), uncertainty),
       m_free_scale(graph.number_of_branches(), 1.),
@@ -72,6 +76,7 @@ public:
         m_translation[b] = free_translation(b);
     close_components_without_ground();
     compute_tree_translations();
+    close_components_on_lines();
   }
 
   Transition transition(const int branch) const
@@ -227,6 +232,24 @@ private:
     return {FT(round(t.re)), FT(round(t.im))};
   }
 
+  bool is_line(const int node) const
+  {
+    return m_kind[node] == Cut_node_kind::BORDER_LINE_U || m_kind[node] == Cut_node_kind::BORDER_LINE_V;
+  }
+
+  // What the translation around a node still lacks; along the border's own line nothing is asked for.
+  Number left_over(const int node) const
+  {
+    Number sum;
+    for (const Coefficient& c : m_coefficients[node])
+      sum = sum + c.value * m_translation[c.branch];
+    if (m_kind[node] == Cut_node_kind::BORDER_LINE_U)
+      sum.im = FT(0);
+    if (m_kind[node] == Cut_node_kind::BORDER_LINE_V)
+      sum.re = FT(0);
+    return sum;
+  }
+
   void compute_tree_translations()
   {
     const std::vector<int>& order = m_translation_forest.order();
@@ -234,11 +257,45 @@ private:
       const int parent = m_translation_forest.parent_branch(*node);
       if (parent == Cut_forest::none)
         continue;
-      Number sum;
-      for (const Coefficient& c : m_coefficients[*node])
-        if (c.branch != parent)
-          sum = sum + c.value * m_translation[c.branch];
-      m_translation[parent] = -(sum * coefficient(*node, parent).inverse());
+      m_translation[parent] = is_line(*node) ? free_translation(parent) : Number();
+      m_translation[parent] = m_translation[parent] - left_over(*node) * coefficient(*node, parent).inverse();
+    }
+  }
+
+  // A component without ground whose root is a loop on a line: mostly its equation holds by itself. If not, it is
+  // solved for the coordinate of a free translation that it depends on most.
+  void close_components_on_lines()
+  {
+    for (int root = 0; root < m_graph.number_of_nodes(); ++root) {
+      if (m_translation_forest.root(root) != root || !is_line(root))
+        continue;
+      const auto value = [&] {
+        compute_tree_translations();
+        const Number left = left_over(root);
+        return FT(left.re + left.im);
+      };
+      const FT left = value();
+      if (left == FT(0) || !CGAL::Algebraic_structure_traits<FT>::Is_exact::value)
+        continue;
+      FT* best = nullptr;
+      FT best_slope(0);
+      for (int b = 0; b < m_graph.number_of_branches(); ++b) {
+        if (m_translation_forest.is_tree(b) || m_translation_forest.root(m_graph.nodes_of_branch(b)[0]) != root)
+          continue;
+        for (FT* const x : {&m_translation[b].re, &m_translation[b].im}) {
+          const FT before = *x;
+          *x = FT(before + FT(1));
+          const FT slope = value() - left;
+          *x = before;
+          if (CGAL::abs(slope) > CGAL::abs(best_slope)) {
+            best_slope = slope;
+            best = x;
+          }
+        }
+      }
+      if (best != nullptr)
+        *best = FT(*best - left / best_slope);
+      compute_tree_translations();
     }
   }
 
@@ -251,7 +308,8 @@ private:
     std::vector<int> root_of_branch(m_graph.number_of_branches(), Cut_forest::none);
     bool has_root = false;
     for (const int node : m_translation_forest.order()) {
-      if (m_translation_forest.root(node) == Cut_forest::none)
+      const int root = m_translation_forest.root(node);
+      if (root == Cut_forest::none || is_line(root))
         continue;
       has_root = true;
       const int parent = m_translation_forest.parent_branch(node);
@@ -265,7 +323,7 @@ private:
       for (const Coefficient& c : m_coefficients[node])
         if (!m_translation_forest.is_tree(c.branch)) {
           left[c.branch] = left[c.branch] + multiple[node] * c.value;
-          root_of_branch[c.branch] = m_translation_forest.root(node);
+          root_of_branch[c.branch] = root;
         }
     }
     if (has_root)
@@ -291,6 +349,7 @@ private:
 
   const Cut_graph& m_graph;
   const std::vector<Branch_fit>& m_fits;
+  const std::vector<Cut_node_kind>& m_kind;
   Cut_forest m_scale_forest, m_translation_forest;
   std::vector<double> m_free_scale; // per branch: 1, or the factor greater than 1, negative if the inverse is meant
   std::vector<FT> m_scale, m_inverse_scale; // per branch

@@ -61,6 +61,9 @@ public:
   /// The corner of `h` in doubles: exactly, or else within an ulp or two.
   const std::array<double, 2>& uv(const Index h) const { return m_uv[h]; }
 
+  /// The same, per halfedge.
+  const std::vector<std::array<double, 2>>& coordinates() const { return m_uv; }
+
   bool is_double(const Index h) const { return m_determined_index[h] == none; }
 
   /// The coordinate of the corner of `h`. \param axis 0 for u, 1 for v

@@ -66,9 +66,12 @@ public:
     }
   }
 
-  bool is_cut(const Index edge) const { return m_is_cut[edge] == 1; }
+  /// Per edge, 0 or 1.
+  const std::vector<char>& cut_edges() const { return m_is_cut; }
 
 private:
+  bool is_cut(const Index edge) const { return m_is_cut[edge] == 1; }
+
   // A difference beyond a thousandth of the edge is not taken for rounding, whatever the tolerance.
   bool is_nearly_identity(const Uv_array& uv, const Index h, const double tolerance) const
   {

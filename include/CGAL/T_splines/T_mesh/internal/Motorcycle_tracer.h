@@ -6,6 +6,8 @@
 
 #include <CGAL/T_splines/Similarity_map/internal/Seamless_layout.h>
 #include <CGAL/T_splines/T_mesh/Motorcycle_graph_report.h>
+#include <CGAL/T_splines/T_mesh/internal/Chart_points.h>
+#include <CGAL/T_splines/T_mesh/internal/Lines_in_faces.h>
 #include <CGAL/T_splines/T_mesh/internal/Motorcycle_traces.h>
 #include <CGAL/T_splines/T_mesh/internal/Vertex_stars.h>
 #include <CGAL/T_splines/T_mesh/internal/isoline_directions.h>
@@ -35,10 +37,10 @@ namespace internal {
 /// looked for where it lies: chords strictly inside the face that it crosses; crossings and chords on the edge at
 /// which it arrives; the rays of the vertex at which it arrives. Each meeting is decided by signs of exact expressions.
 ///
-/// Where the scales of the transitions are not all 1, a trace may spiral towards a closed isoline for ever. One that
-/// has crossed an edge `spiral_passes` times in the same direction, each time with another scale (or
-/// `maximal_passes` times at all), gets a seed in its way: two motorcycles leave it sideways, and its own next turn, or
-/// another's, meets them.
+/// Where the scales of the transitions are not all 1, a trace may spiral towards a closed isoline for ever, its turns
+/// ever closer. One that has come back to an edge `spiral_passes` times in the same direction, each time on a smaller
+/// scale (or `maximal_passes` times at all), gets a seed in its way: two motorcycles leave it sideways, and its own next
+/// turn, or another's, meets them.
 template <typename FT, typename TracingTraits>
 class Motorcycle_tracer {
   using Layout = Seamless_layout<FT>;
@@ -48,10 +50,12 @@ class Motorcycle_tracer {
   using Edge_crossing = typename Traces::Edge_crossing;
   using Crossing_node = typename Traces::Crossing_node;
   using Point_3 = std::array<double, 3>;
+  using Lines = Lines_in_faces<FT, TracingTraits>;
+  using Gate = typename Lines::Gate;
 
 public:
   static constexpr int none = -1;
-  static constexpr int spiral_passes = 8;
+  static constexpr int spiral_passes = 2;
   static constexpr int maximal_passes = 4096;
   static constexpr int maximal_seeds_per_trace = 256;
 
@@ -59,8 +63,9 @@ public:
   Motorcycle_tracer(const Layout& layout, const std::vector<Point_3>& points, const TracingTraits& traits)
     : m_layout(layout),
       m_mesh(layout.mesh()),
-      m_points(points),
+      m_chart_points(layout, points),
       m_traits(traits),
+      m_lines(layout, traits),
       m_stars(layout, traits)
   {
     m_traces.first_chord_in_face.assign(m_mesh.number_of_faces(), none);
@@ -114,19 +119,12 @@ private:
     int trace = none;
   };
 
-  /// How a motorcycle comes into a face and leaves it.
-  struct Gate {
-    enum class Kind { EDGE, VERTEX, INSIDE } kind;
-    int halfedge;  ///< EDGE: of the face; VERTEX: with the vertex as target, of the face
-    Number along;  ///< INSIDE
-  };
-
   // Scales that differ by less are taken for equal, here, where it matters only for when seeds are set.
   static std::int64_t fixed_point_logarithm(const double scale)
   {
     return static_cast<std::int64_t>(std::llround(std::ldexp(std::log(scale), 40)));
   }
-  static bool is_another_scale(const std::int64_t a, const std::int64_t b) { return std::abs(a - b) > 64; }
+  static bool is_smaller_scale(const std::int64_t a, const std::int64_t b) { return a < b - 64; }
 
   // --- starts
 
@@ -155,7 +153,7 @@ private:
     for (int slot = first_slot; slot <= last_slot; ++slot) {
       Motorcycle motorcycle;
       motorcycle.place = Motorcycle::Place::AT_VERTEX;
-      motorcycle.point = m_points[v];
+      motorcycle.point = m_chart_points.of_vertex(v);
       motorcycle.star = star;
       motorcycle.slot = slot;
       const int trace = new_trace(motorcycle, Traces::star_node(star), slot);
@@ -295,66 +293,13 @@ private:
 
   void lose() { m_status = Motorcycle_graph_status::TRACE_LOST; }
 
-  // --- geometry in a face
-
-  CGAL::Sign side(const int corner, const int direction, const Number& line) const
-  {
-    return side_of_line(direction, m_traits.compare(m_layout.coordinate(corner, axis_across(direction)), line));
-  }
-
-  /// Where a line leaves a face: the counter-clockwise boundary passes there from the right of the line to its left.
-  Gate exit_of(const int face, const int direction, const Number& line, const Gate& entry) const
-  {
-    if (entry.kind == Gate::Kind::VERTEX) // the line enters the interior of the face
-      return {Gate::Kind::EDGE, m_mesh.previous(entry.halfedge), {}};
-    if (entry.kind == Gate::Kind::EDGE) { // whose source is on the left
-      const int apex = m_mesh.next(entry.halfedge);
-      const CGAL::Sign s = side(apex, direction, line);
-      if (s == CGAL::ZERO)
-        return {Gate::Kind::VERTEX, apex, {}};
-      return {Gate::Kind::EDGE, s == CGAL::POSITIVE ? apex : m_mesh.next(apex), {}};
-    }
-    int h = m_mesh.halfedge_of_face(face);
-    for (int i = 0; i < 3; ++i, h = m_mesh.next(h)) {
-      const CGAL::Sign source = side(m_mesh.previous(h), direction, line), target = side(h, direction, line);
-      if (source == CGAL::NEGATIVE && target == CGAL::POSITIVE)
-        return {Gate::Kind::EDGE, h, {}};
-      if (source == CGAL::NEGATIVE && target == CGAL::ZERO)
-        return {Gate::Kind::VERTEX, h, {}};
-    }
-    return {Gate::Kind::INSIDE, none, {}};
-  }
-
-  Enclosed_point<FT> corner(const int h) const { return {m_layout.coordinate(h, 0), m_layout.coordinate(h, 1)}; }
-
-  static Enclosed_point<FT> point_on_line(const int direction, const Number& line, const Number& along)
-  {
-    return axis_along(direction) == 0 ? Enclosed_point<FT>{along, line} : Enclosed_point<FT>{line, along};
-  }
-
-  /// Whether `b` comes after `a` on a line of this direction.
-  bool is_ahead(const int direction, const Number& a, const Number& b) const
-  {
-    return m_traits.compare(a, b) == (is_forward(direction) ? CGAL::SMALLER : CGAL::LARGER);
-  }
-
-  /// Whether the point of a line lies strictly on the inner side of a gate of the face. \param is_exit or else an entry
-  bool is_inside_gate(const Gate& gate, const int direction, const Number& line, const Number& along, const bool is_exit) const
-  {
-    if (gate.kind == Gate::Kind::EDGE)
-      return m_traits.orientation(corner(m_mesh.previous(gate.halfedge)), corner(gate.halfedge),
-                                  point_on_line(direction, line, along))
-             == CGAL::POSITIVE;
-    const Number at_gate =
-      gate.kind == Gate::Kind::VERTEX ? m_layout.coordinate(gate.halfedge, axis_along(direction)) : gate.along;
-    return is_exit ? is_ahead(direction, along, at_gate) : is_ahead(direction, at_gate, along);
-  }
+  // --- meetings in a face
 
   /// Whether a chord covers a place of its line, its ends included.
   bool covers(const Chord& chord, const Number& along) const
   {
-    return (chord.start == none || !is_ahead(chord.direction, along, m_traces.coordinates[chord.start]))
-           && (chord.stop == none || !is_ahead(chord.direction, m_traces.coordinates[chord.stop], along));
+    return (chord.start == none || !m_lines.is_ahead(chord.direction, along, m_traces.coordinates[chord.start]))
+           && (chord.stop == none || !m_lines.is_ahead(chord.direction, m_traces.coordinates[chord.stop], along));
   }
 
   /// The first chord that a line meets strictly inside a face.
@@ -364,9 +309,9 @@ private:
     for (int c = m_traces.first_chord_in_face[face]; c != none; c = m_traces.chords[c].next_in_place) {
       const Chord& chord = m_traces.chords[c];
       if (axis_along(chord.direction) != axis_along(direction)
-          && (first == none || is_ahead(direction, chord.line, m_traces.chords[first].line))
-          && is_inside_gate(entry, direction, line, chord.line, false)
-          && is_inside_gate(exit, direction, line, chord.line, true) && covers(chord, line))
+          && (first == none || m_lines.is_ahead(direction, chord.line, m_traces.chords[first].line))
+          && m_lines.is_inside_gate(entry, direction, line, chord.line, false)
+          && m_lines.is_inside_gate(exit, direction, line, chord.line, true) && covers(chord, line))
         first = c;
     }
     return first;
@@ -395,7 +340,7 @@ private:
 
   void cross_face(const int trace, const int face, const int direction, const Number& line, const Gate& entry)
   {
-    const Gate exit = exit_of(face, direction, line, entry);
+    const Gate exit = m_lines.exit_of(face, direction, line, entry);
     if (exit.kind == Gate::Kind::INSIDE)
       return lose();
     const int met = first_chord_ahead(face, direction, line, entry, exit);
@@ -408,7 +353,7 @@ private:
     }
     else if (exit.kind == Gate::Kind::VERTEX) {
       m_traces.chords[c].exit_parameter = 1;
-      move_to(trace, m_points[m_mesh.target(exit.halfedge)]);
+      move_to(trace, m_chart_points.of_vertex(m_mesh.target(exit.halfedge)));
       const int star = m_stars.star_of_vertex(m_mesh.target(exit.halfedge));
       arrive_at_vertex(trace, c, star, m_stars.slot_in_corner(star, m_mesh.next(exit.halfedge), turned(direction, 2)));
     }
@@ -463,14 +408,9 @@ private:
     return Traces::crossing_node(record.node);
   }
 
-  /// A line as the other side of the edge of h sees it.
   std::pair<Number, int> across_edge(const int h, const Number& line, const int direction)
   {
-    if (!m_layout.is_cut(h >> 1))
-      return {line, direction};
-    const Similarity_2<FT>& transition = m_layout.transition(h);
-    return {m_traces.store(transformed_line(transition, direction, line.value())),
-            turned(direction, transition.quarter_turns())};
+    return line_across_edge(m_layout, m_traces.numbers, h, line, direction);
   }
 
   std::int64_t log_scale_across(const int h) const
@@ -481,35 +421,22 @@ private:
     return m_layout.is_along(h >> 1) == ((h & 1) == 0) ? along : -along;
   }
 
-  double parameter_on_edge(const int h, const Number& line, const int direction) const
-  {
-    const int axis = axis_across(direction);
-    const double source = m_layout.uv(m_mesh.previous(h))[axis], target = m_layout.uv(h)[axis];
-    return source == target ? 0.5 : std::clamp((line.lower - source) / (target - source), 0., 1.);
-  }
-
-  Point_3 point_on_edge(const int h, const double parameter) const
-  {
-    const Point_3 &p = m_points[m_mesh.source(h)], &q = m_points[m_mesh.target(h)];
-    return {{p[0] + parameter * (q[0] - p[0]), p[1] + parameter * (q[1] - p[1]), p[2] + parameter * (q[2] - p[2])}};
-  }
-
   /// The motorcycle is in the interior of the edge of h, which belongs to the face that it has crossed.
   void arrive_at_edge(const int trace, const int c, const int h)
   {
     const int direction = m_traces.chords[c].direction, side = h & 1;
     const Number line = m_traces.chords[c].line;
-    const double parameter = parameter_on_edge(h, line, direction);
+    const double parameter = m_chart_points.parameter_on_edge(h, line.lower, direction);
     m_traces.chords[c].exit_parameter = parameter;
-    move_to(trace, point_on_edge(h, parameter));
+    move_to(trace, m_chart_points.on_edge(h, parameter));
     for (int r = m_traces.first_crossing_of_edge[h >> 1]; r != none; r = m_traces.crossings[r].next_on_edge) {
       const Edge_crossing& record = m_traces.crossings[r];
       if (axis_along(record.direction[side]) == axis_along(direction)) {
         if (m_traits.compare(record.line[side], line) == CGAL::EQUAL)
           return meet_head_on(trace, c, r);
       }
-      else if (m_traits.orientation(corner(m_mesh.previous(h)), corner(h),
-                                    point_on_line(direction, line, record.line[side]))
+      else if (m_traits.orientation(m_lines.corner(m_mesh.previous(h)), m_lines.corner(h),
+                                    m_lines.point_on_line(direction, line, record.line[side]))
                == CGAL::ZERO)
         return end_on_edge(trace, c, h, r);
     }
@@ -579,13 +506,13 @@ private:
     int nearest = none;
     for (int r = m_traces.first_crossing_of_edge[h >> 1]; r != none; r = m_traces.crossings[r].next_on_edge)
       if (nearest == none
-          || is_ahead(direction, m_traces.crossings[r].line[h & 1], m_traces.crossings[nearest].line[h & 1]))
+          || m_lines.is_ahead(direction, m_traces.crossings[r].line[h & 1], m_traces.crossings[nearest].line[h & 1]))
         nearest = r;
     const int c = add_chord(trace, m_mesh.face(h), direction, line, true, h);
     if (nearest != none)
       return end_on_edge(trace, c, h, nearest);
     const int star = m_stars.star_of_vertex(m_mesh.target(h));
-    move_to(trace, m_points[m_mesh.target(h)]);
+    move_to(trace, m_chart_points.of_vertex(m_mesh.target(h)));
     m_motorcycles[trace].log_scale += log_scale_across(h); // the ray there is seen from the other side
     arrive_at_vertex(trace, c, star, m_stars.slot_along(star, h ^ 1));
   }
@@ -627,7 +554,7 @@ private:
       if (m_traces.chords[record.chord].trace != trace || record.direction[side] != direction)
         continue;
       ++passes;
-      if (is_another_scale(m_scale_at_crossing[r], scale))
+      if (is_smaller_scale(scale, m_scale_at_crossing[r]))
         ++spiral;
       scale = m_scale_at_crossing[r];
     }
@@ -688,7 +615,7 @@ private:
       return false;
     int h = m_mesh.halfedge_of_face(chord.face);
     for (int i = 0; i < 3; ++i, h = m_mesh.next(h))
-      if (m_traits.orientation(corner(m_mesh.previous(h)), corner(h), point_on_line(chord.direction, chord.line, along))
+      if (m_traits.orientation(m_lines.corner(m_mesh.previous(h)), m_lines.corner(h), m_lines.point_on_line(chord.direction, chord.line, along))
           != CGAL::POSITIVE)
         return false;
     for (int c = m_traces.first_chord_in_face[chord.face]; c != none; c = m_traces.chords[c].next_in_place)
@@ -700,8 +627,9 @@ private:
 
   const Layout& m_layout;
   const Triangulation_connectivity& m_mesh;
-  const std::vector<Point_3>& m_points;
+  const Chart_points<FT> m_chart_points;
   const TracingTraits& m_traits;
+  const Lines m_lines;
   Vertex_stars<FT, TracingTraits> m_stars;
   Traces m_traces;
   std::vector<Motorcycle> m_motorcycles;      // per trace

@@ -5,13 +5,10 @@
 #define CGAL_T_SPLINES_T_MESH_INTERNAL_MOTORCYCLE_TRACES_H
 
 #include <CGAL/T_splines/Similarity_map/internal/Seamless_layout.h>
+#include <CGAL/T_splines/T_mesh/internal/Number_pool.h>
 #include <CGAL/T_splines/T_mesh/internal/isoline_directions.h>
 
-#include <CGAL/number_utils.h>
-
 #include <array>
-#include <deque>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -78,16 +75,6 @@ public:
   static int crossing_node(const int crossing) { return 2 * crossing + 1; }
   static bool is_star(const int node) { return (node & 1) == 0; }
 
-  /// Stores a number, unless it is a double.
-  Number store(FT value)
-  {
-    const std::pair<double, double> interval = CGAL::to_interval(value);
-    if (interval.first == interval.second)
-      return {interval.first, interval.second, nullptr};
-    m_values.push_back(std::move(value));
-    return {interval.first, interval.second, &m_values.back()};
-  }
-
   int add_coordinate(const Number& x)
   {
     coordinates.push_back(x);
@@ -102,29 +89,8 @@ public:
   std::vector<int> first_chord_in_face;    ///< per face: across its interior
   std::vector<int> first_chord_along_edge; ///< per edge
   std::vector<int> first_crossing_of_edge; ///< per edge
-
-private:
-  std::deque<FT> m_values; // numbers point into it
+  Number_pool<FT> numbers;
 };
-
-/// The constant coordinate of a line after a transition.
-template <typename FT>
-FT transformed_line(const Similarity_2<FT>& transition, const int direction, const FT& line)
-{
-  const int axis = turned(axis_across(direction), transition.quarter_turns());
-  FT result = transition.scale() == FT(1) ? line : FT(transition.scale() * line);
-  if (axis >= 2)
-    result = -result;
-  result += (axis & 1) == 0 ? transition.u() : transition.v();
-  return result;
-}
-
-/// The coordinate along a line of one of its points after a transition.
-template <typename FT>
-FT transformed_coordinate(const Similarity_2<FT>& transition, const int direction, const FT& along)
-{
-  return transformed_line(transition, turned(direction, 1), along);
-}
 
 } // namespace internal
 } // namespace T_splines

@@ -116,19 +116,7 @@ public:
   /// The scale of the way from the chart of a slot to that of the next one, clockwise, around the node. \pre no border
   FT scale_clockwise(const int node, const int slot) const
   {
-    FT result(1);
-    if (!Traces::is_star(node))
-      return result;
-    const int star = node / 2, other = next_slot_clockwise(node, slot), target = m_stars.ray(star, other).halfedge;
-    int h = m_stars.ray(star, slot).halfedge;
-    if (m_mesh.face(h) == none)
-      h = m_mesh.next(h ^ 1);
-    for (bool is_full_turn = slot == 0; is_full_turn || h != target; is_full_turn = false) {
-      if (m_layout.is_cut(h >> 1))
-        result *= m_layout.transition(h).scale();
-      h = m_mesh.next(h ^ 1);
-    }
-    return result;
+    return Traces::is_star(node) ? m_stars.scale_clockwise(node / 2, slot) : FT(1);
   }
 
   /// Whether a node has only two arcs, which go straight through it.
@@ -151,7 +139,7 @@ public:
   std::pair<FT, FT> coordinates_at_slot(const int node, const int slot) const
   {
     if (Traces::is_star(node)) {
-      const int corner = corner_of_ray(node / 2, slot);
+      const int corner = m_stars.corner_of_ray(node / 2, slot);
       return {m_layout.coordinate(corner, 0).value(), m_layout.coordinate(corner, 1).value()};
     }
     const typename Traces::Crossing_node& crossing = m_traces.nodes[node / 2];
@@ -170,13 +158,6 @@ public:
 
 private:
   const Arc& arc(const int half_arc) const { return m_arcs[half_arc / 2]; }
-
-  // The halfedge that points to the vertex of a star in the face of the chart of a ray.
-  int corner_of_ray(const int star, const int slot) const
-  {
-    const int h = m_stars.ray(star, slot).halfedge;
-    return m_mesh.face(h) == none ? h ^ 1 : m_mesh.previous(h);
-  }
 
   std::vector<Visit> sorted_visits(const int trace) const
   {
@@ -215,7 +196,7 @@ private:
     position = visit.chord == none ? 0 : m_traces.chords[visit.chord].ordinal + (visit.is_at_end ? 1 : 0);
     const Chord& chord = chord_of(trace, position);
     if (Traces::is_star(visit.node))
-      return m_layout.coordinate(corner_of_ray(visit.node / 2, visit.departure), axis_along(chord.direction)).value();
+      return m_layout.coordinate(m_stars.corner_of_ray(visit.node / 2, visit.departure), axis_along(chord.direction)).value();
     if (visit.chord == none)
       return m_traces.coordinates[chord.start].value();
     const FT along = m_traces.nodes[visit.node / 2].along.value();

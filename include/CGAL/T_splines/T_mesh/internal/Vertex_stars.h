@@ -91,20 +91,33 @@ public:
     return none;
   }
 
-  /// The slot at or before a halfedge that leaves the vertex, clockwise; `none` if a border lies between.
-  int slot_at_or_before(const int star, int halfedge) const
+  int next_slot_clockwise(const int star, const int slot) const
   {
-    const int along = slot_along(star, halfedge);
-    if (along != none)
-      return along;
+    return slot == 0 ? m_stars[star].number_of_rays - 1 : slot - 1;
+  }
+
+  /// The scale of the way from the chart of a ray to that of the next one, clockwise. \pre no border lies between
+  FT scale_clockwise(const int star, const int slot) const
+  {
     const Triangulation_connectivity& mesh = m_layout.mesh();
-    while (mesh.face(halfedge ^ 1) != none) {
-      halfedge = mesh.next(halfedge ^ 1);
-      for (int slot = m_stars[star].number_of_rays - 1; slot >= 0; --slot)
-        if (ray(star, slot).halfedge == halfedge)
-          return slot;
+    const int target = ray(star, next_slot_clockwise(star, slot)).halfedge;
+    int h = ray(star, slot).halfedge;
+    if (mesh.face(h) == none)
+      h = mesh.next(h ^ 1);
+    FT result(1);
+    for (bool is_full_turn = slot == 0; is_full_turn || h != target; is_full_turn = false) {
+      if (m_layout.is_cut(h >> 1))
+        result *= m_layout.transition(h).scale();
+      h = mesh.next(h ^ 1);
     }
-    return none;
+    return result;
+  }
+
+  /// The halfedge that points to the vertex in the face whose chart a ray refers to.
+  int corner_of_ray(const int star, const int slot) const
+  {
+    const int h = ray(star, slot).halfedge;
+    return m_layout.mesh().face(h) == none ? h ^ 1 : m_layout.mesh().previous(h);
   }
 
 private:

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_IO_INTERNAL_CHECK_T_MESH_KNOTS_H
+#define CGAL_T_SPLINES_IO_INTERNAL_CHECK_T_MESH_KNOTS_H
+
+#include <CGAL/T_splines/IO/T_mesh_reading_report.h>
+#include <CGAL/T_splines/IO/internal/T_mesh_soup.h>
+#include <CGAL/T_splines/IO/internal/build_t_mesh.h>
+#include <CGAL/T_splines/IO/internal/check_t_mesh_soup.h>
+#include <CGAL/T_splines/T_mesh/Admissibility_report.h>
+#include <CGAL/T_splines/T_mesh/is_admissible.h>
+#include <CGAL/T_splines/named_parameters.h>
+
+#include <CGAL/Surface_mesh.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// The counterpart of `status` among the endings of the reader.
+inline T_mesh_reading_status reading_status(const Admissibility_status status)
+{
+  switch (status) {
+  case Admissibility_status::ADMISSIBLE: return T_mesh_reading_status::SUCCESS;
+  case Admissibility_status::NON_POSITIVE_KNOT: return T_mesh_reading_status::NON_POSITIVE_KNOT;
+  case Admissibility_status::KNOT_NOT_FINITE: return T_mesh_reading_status::NON_FINITE_NUMBER;
+  case Admissibility_status::WRONG_CORNER_COUNT: return T_mesh_reading_status::WRONG_NUMBER_OF_CORNERS;
+  case Admissibility_status::OPPOSITE_SIDES_DIFFER: return T_mesh_reading_status::UNEQUAL_SIDES;
+  case Admissibility_status::CYCLE_CONDITION_VIOLATED: return T_mesh_reading_status::CYCLE_CONDITION;
+  }
+  return T_mesh_reading_status::SUCCESS;
+}
+
+/// Whether the knots of a soup are admissible. It is asked on a graph of its own, so that the caller's graph is
+/// touched only if all is well.
+/// \pre `check_t_mesh_soup()` found nothing.
+inline T_mesh_reading_report check_t_mesh_knots(const T_mesh_soup& soup, const double relative_tolerance)
+{
+  using Graph = CGAL::Surface_mesh<std::array<double, 3>>;
+  Graph graph;
+  const T_mesh_builder<Graph> builder(soup, graph);
+  const auto knots = graph.add_property_map<Graph::Halfedge_index, double>("h:knot", 1.).first;
+  const auto corners = graph.add_property_map<Graph::Halfedge_index, bool>("h:is_corner", false).first;
+  for (std::size_t h = 0; h < soup.number_of_halfedges(); ++h) {
+    put(knots, builder.halfedge_of(h), soup.knots[h]);
+    put(corners, builder.halfedge_before(h), soup.is_corner[h] != 0);
+  }
+  const Admissibility_report<Graph> admissibility =
+      is_admissible(graph, knots, corners, parameters::relative_tolerance(relative_tolerance));
+  if (admissibility.success())
+    return T_mesh_reading_report();
+  const bool is_about_vertex = admissibility.status == Admissibility_status::CYCLE_CONDITION_VIOLATED;
+  T_mesh_reading_report report =
+      is_about_vertex
+          ? report_of_vertex(soup, reading_status(admissibility.status), static_cast<std::size_t>(admissibility.vertex))
+          : report_of_face(soup, reading_status(admissibility.status), static_cast<std::size_t>(admissibility.face));
+  report.defect = admissibility.defect;
+  return report;
+}
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_IO_INTERNAL_CHECK_T_MESH_KNOTS_H

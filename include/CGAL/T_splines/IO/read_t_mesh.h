@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_IO_READ_T_MESH_H
+#define CGAL_T_SPLINES_IO_READ_T_MESH_H
+
+#include <CGAL/T_splines/IO/T_mesh_reading_report.h>
+#include <CGAL/T_splines/IO/internal/T_mesh_soup.h>
+#include <CGAL/T_splines/IO/internal/build_t_mesh.h>
+#include <CGAL/T_splines/IO/internal/check_t_mesh_knots.h>
+#include <CGAL/T_splines/IO/internal/check_t_mesh_soup.h>
+#include <CGAL/T_splines/IO/internal/parse_t_mesh_ply.h>
+#include <CGAL/T_splines/IO/internal/read_whole_file.h>
+#include <CGAL/T_splines/named_parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cstddef>
+#include <istream>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+namespace CGAL {
+namespace T_splines {
+
+namespace internal {
+
+/// What `read_t_mesh()` does with the content of a file.
+template <typename MutableFaceGraph, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename NamedParameters>
+T_mesh_reading_report read_t_mesh_text(const std::string_view content, MutableFaceGraph& t_mesh,
+                                       const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
+                                       const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using vertex_descriptor = typename boost::graph_traits<MutableFaceGraph>::vertex_descriptor;
+  using Knot = typename boost::property_traits<HalfedgeKnotMap>::value_type;
+  CGAL_precondition(num_vertices(t_mesh) == 0 && num_faces(t_mesh) == 0);
+
+  T_mesh_soup soup;
+  const T_mesh_reading_report parsed = T_mesh_ply_parser(content, soup).parse();
+  if (!parsed.success())
+    return parsed;
+  T_mesh_reading_report report = check_t_mesh_soup(soup);
+  if (report.success())
+    report = check_t_mesh_knots(soup, choose_parameter(get_parameter(np, np_tags::relative_tolerance), 1e-9));
+  report.number_of_vertices = parsed.number_of_vertices;
+  report.number_of_faces = parsed.number_of_faces;
+  if (!report.success())
+    return report;
+
+  const T_mesh_builder<MutableFaceGraph> builder(soup, t_mesh);
+  const auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                          get_property_map(CGAL::vertex_point, t_mesh));
+  const auto weight_map = choose_parameter(get_parameter(np, np_tags::vertex_weight_map),
+                                           CGAL::Constant_property_map<vertex_descriptor, double>(1.));
+  using Point = typename boost::property_traits<decltype(point_map)>::value_type;
+  for (std::size_t v = 0; v < soup.number_of_vertices(); ++v) {
+    const std::array<double, 4>& p = soup.points[v];
+    put(point_map, builder.vertex_of(v), Point(p[0], p[1], p[2]));
+    put(weight_map, builder.vertex_of(v), p[3]);
+  }
+  for (std::size_t h = 0; h < soup.number_of_halfedges(); ++h) {
+    put(knots, builder.halfedge_of(h), Knot(soup.knots[h]));
+    put(corners, builder.halfedge_before(h), soup.is_corner[h] != 0);
+  }
+  return report;
+}
+
+} // namespace internal
+
+/// reads a T-mesh with halfedge knots from a PLY file made of text, in the format that `write_t_mesh()` describes,
+/// and refuses, naming line and element, everything that is not an admissible T-mesh ([CZ17] section 4).
+///
+/// Vertices and faces of `t_mesh` come in the order of the file, and `halfedge(f)` is the first edge of the list of
+/// `f`: so the frames of the faces are those of the T-mesh that was written. The surface may have a border, and the
+/// T-mesh need not be simple: a face may have a vertex or an edge twice.
+///
+/// Knot intervals are admissible if the sums on opposite sides of a face and the products of ratios around a vertex
+/// agree up to a relative tolerance. Doubles are exact in an exact number type; but T-meshes whose knots were rounded
+/// when they were written are not exactly admissible.
+///
+/// \tparam MutableFaceGraph a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam HalfedgeKnotMap a model of `WritablePropertyMap`, halfedge -> number that is made from a double
+/// \tparam HalfedgeCornerMap a model of `WritablePropertyMap`, halfedge -> bool
+/// \param in the content of the file; it is read to the end
+/// \param t_mesh an empty graph; untouched if the file is refused
+/// \param knots receives the interval of each halfedge, in the units of its face; not written on border halfedges
+/// \param corners receives whether the halfedge's face turns at its *target*; not written on border halfedges
+/// \param np optional: `vertex_point_map`: receives the control points; `vertex_weight_map` (vertex -> number,
+///   writable): receives their weights; `relative_tolerance` (1e-9)
+/// \return how it ended. Complexity: linear in the size of the file.
+template <typename MutableFaceGraph, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+T_mesh_reading_report read_t_mesh(std::istream& in, MutableFaceGraph& t_mesh, const HalfedgeKnotMap knots,
+                                  const HalfedgeCornerMap corners,
+                                  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  if (in.good()) {
+    const std::string content((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    if (!in.bad())
+      return internal::read_t_mesh_text(content, t_mesh, knots, corners, np);
+  }
+  T_mesh_reading_report report;
+  report.status = T_mesh_reading_status::CANNOT_OPEN;
+  return report;
+}
+
+/// reads a T-mesh with halfedge knots from a PLY file.
+///
+/// \param filename a file; its extension does not matter
+/// \param t_mesh, knots, corners, np see the function that reads from a stream
+/// \return how it ended. Complexity: linear in the size of the file.
+template <typename MutableFaceGraph, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+T_mesh_reading_report read_t_mesh(const std::string& filename, MutableFaceGraph& t_mesh, const HalfedgeKnotMap knots,
+                                  const HalfedgeCornerMap corners,
+                                  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  std::string content;
+  if (internal::read_whole_file(filename, content))
+    return internal::read_t_mesh_text(content, t_mesh, knots, corners, np);
+  T_mesh_reading_report report;
+  report.status = T_mesh_reading_status::CANNOT_OPEN;
+  return report;
+}
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_IO_READ_T_MESH_H

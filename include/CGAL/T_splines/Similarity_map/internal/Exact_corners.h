@@ -1,0 +1,235 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_EXACT_CORNERS_H
+#define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_EXACT_CORNERS_H
+
+#include <CGAL/T_splines/Similarity_map/internal/Border_lines.h>
+#include <CGAL/T_splines/Similarity_map/internal/Branch_fit.h>
+#include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>
+#include <CGAL/T_splines/Similarity_map/internal/Exact_transitions.h>
+#include <CGAL/T_splines/Similarity_map/internal/Seamless_layout.h>
+#include <CGAL/T_splines/Similarity_map/internal/Sector_values.h>
+#include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
+#include <CGAL/T_splines/Similarity_map/internal/uv_orientation.h>
+#include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// A map up to round-off, its cut and what was read off from it: what the exact coordinates are computed from.
+struct Cut_map {
+  const Triangulation_connectivity& mesh;
+  const Uv_array& uv;
+  const std::vector<char>& is_cut; ///< per edge
+  const Cut_sectors& sectors;
+  const Border_lines& border;
+  const Cut_graph& graph;
+  const std::vector<Branch_fit>& fits;    ///< per branch
+  const std::vector<int>& quarter_turns;  ///< per cut vertex
+
+  /// Calls `visit(h)` for the halfedges that point to the `i`-th cut vertex inside its `k`-th sector.
+  template <typename Visit>
+  void for_each_corner(const int i, const int k, const Visit& visit) const
+  {
+    Cut_sectors::for_each_corner(mesh, is_cut, sectors.halfedge[sectors.first_sector[i] + k], visit);
+  }
+};
+
+/// The coordinates of the vertices on the cut and on the border, computed from exact transitions.
+class Exact_corners {
+  using Index = Triangulation_connectivity::Index;
+
+public:
+  explicit Exact_corners(const Cut_map& map) : m_map(map)
+  {
+    for (int i = 0; i < map.sectors.number_of_vertices(); ++i) {
+      const bool is_fixed = !map.sectors.is_on_border[i] && map.quarter_turns[i] % 4 != 0;
+      m_kept.push_back(is_fixed ? fixed_point : sector_to_keep(i));
+    }
+    collect_faces();
+  }
+
+  /// The faces whose corners may change.
+  const std::vector<int>& faces() const { return m_faces; }
+
+  /// Whether, as far as doubles tell, no triangle changes its area by more than a factor 2, and no corner moves by more
+  /// than an eighth of the longest side of its triangle.
+  template <typename FT>
+  bool is_harmless(const Exact_transitions<FT>& transitions) const
+  {
+    std::vector<Similarity_2<double>> along, against;
+    for (int b = 0; b < m_map.graph.number_of_branches(); ++b) {
+      const Similarity_2<FT> t = transitions.transition(b);
+      const double scale = CGAL::to_double(t.scale());
+      if (!(scale > 0) || !std::isfinite(scale))
+        return false;
+      along.emplace_back(t.quarter_turns(), scale, CGAL::to_double(t.u()), CGAL::to_double(t.v()));
+      against.push_back(along.back().inverse());
+    }
+    Uv_array uv = m_map.uv;
+    compute<double>(
+        [&](const Index h) -> const Similarity_2<double>& {
+          return (m_map.graph.is_along(h) ? along : against)[m_map.graph.branch_of_edge(h >> 1)];
+        },
+        [&](const int i, const int k, const std::pair<double, double>& value) {
+          m_map.for_each_corner(i, k, [&](const Index h) { uv[h] = {{value.first, value.second}}; });
+        });
+    return std::all_of(m_faces.begin(), m_faces.end(), [&](const int f) {
+      const Index h = m_map.mesh.halfedge_of_face(f);
+      const double before = double_area(m_map.uv, h), after = double_area(uv, h);
+      return after >= before / 2 && after <= before * 2 && displacement(f, uv) <= 0.125;
+    });
+  }
+
+  /// Writes branches and corners to a layout that has the coordinates in doubles.
+  /// \return a loop of the border that the transitions do not close, or -1
+  template <typename FT>
+  int write(const Exact_transitions<FT>& transitions, Seamless_layout<FT>& layout) const
+  {
+    layout.clear_branches_and_determined();
+    for (int b = 0; b < m_map.graph.number_of_branches(); ++b) {
+      layout.add_branch(transitions.transition(b));
+      for (int i = 0; i < m_map.graph.length(b); ++i)
+        layout.set_branch(m_map.graph.halfedge(b, i), b);
+    }
+    return compute<FT>([&layout](const Index h) -> const Similarity_2<FT>& { return layout.transition(h); },
+                       [&](const int i, const int k, const std::pair<FT, FT>& value) {
+                         write_sector(i, k, value, layout);
+                       });
+  }
+
+  /// The faces that are not positively oriented in a layout.
+  template <typename FT>
+  std::vector<int> lost_faces(const Seamless_layout<FT>& layout) const
+  {
+    std::vector<int> result;
+    for (const int f : m_faces)
+      if (uv_orientation(layout, m_map.mesh.halfedge_of_face(f)) != CGAL::POSITIVE)
+        result.push_back(f);
+    return result;
+  }
+
+  /// How far the corners of a face move, by its longest side. \param uv function object or array: halfedge -> corner
+  template <typename Uv>
+  double displacement(const int f, const Uv& uv) const
+  {
+    Index h = m_map.mesh.halfedge_of_face(f);
+    double moved = 0, side = 0;
+    for (int k = 0; k < 3; ++k, h = m_map.mesh.next(h)) {
+      moved = std::max(moved, distance(m_map.uv[h], uv[h]));
+      side = std::max(side, distance(m_map.uv[h], m_map.uv[m_map.mesh.next(h)]));
+    }
+    return moved / side;
+  }
+
+private:
+  // The sector of the flattest triangle: it suffers most from a displacement.
+  int sector_to_keep(const int i) const
+  {
+    double scale = 1, smallest = 0; // of the sector's chart, and a height in the chart of the first sector
+    int best = 0;
+    for (int k = 0; k < m_map.sectors.number_of_sectors(i); ++k) {
+      const Index h = m_map.sectors.halfedge[m_map.sectors.first_sector[i] + k];
+      if (k > 0) {
+        const double factor = m_map.fits[m_map.graph.branch_of_edge(h >> 1)].scale();
+        scale *= m_map.graph.is_along(h ^ 1) ? factor : 1 / factor;
+      }
+      m_map.for_each_corner(i, k, [&](const Index corner) {
+        const double height = height_over_opposite_side(corner) / scale;
+        if (height < smallest || smallest == 0) {
+          smallest = height;
+          best = k;
+        }
+      });
+    }
+    return best;
+  }
+
+  void collect_faces()
+  {
+    std::vector<char> is_listed(m_map.mesh.number_of_faces(), 0);
+    for (int i = 0; i < m_map.sectors.number_of_vertices(); ++i)
+      for (int k = 0; k < m_map.sectors.number_of_sectors(i); ++k)
+        m_map.for_each_corner(i, k, [&](const Index h) {
+          const Index f = m_map.mesh.face(h);
+          if (!is_listed[f])
+            m_faces.push_back(f);
+          is_listed[f] = 1;
+        });
+    std::sort(m_faces.begin(), m_faces.end());
+  }
+
+  double double_area(const Uv_array& uv, const Index h) const
+  {
+    const std::array<double, 2>&p = uv[h], &q = uv[m_map.mesh.next(h)], &r = uv[m_map.mesh.previous(h)];
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+  }
+
+  double height_over_opposite_side(const Index corner) const
+  {
+    return double_area(m_map.uv, corner) /
+           distance(m_map.uv[m_map.mesh.next(corner)], m_map.uv[m_map.mesh.previous(corner)]);
+  }
+
+  // Calls `write(i, k, value)` for the sectors of all cut vertices.
+  template <typename FT, typename Transition_of, typename Write>
+  int compute(const Transition_of& transition, const Write& write) const
+  {
+    const Cut_sectors& sectors = m_map.sectors;
+    std::vector<std::pair<FT, FT>> border_start;
+    int open_loop = -1;
+    if (!m_map.border.loops().empty()) {
+      border_start.resize(sectors.number_of_vertices());
+      open_loop = m_map.border.compute(transition, m_map.quarter_turns, m_kept, border_start);
+    }
+    std::vector<std::pair<FT, FT>> values;
+    for (int i = 0; i < sectors.number_of_vertices(); ++i) {
+      const Index h = m_map.mesh.previous(sectors.halfedge[sectors.first_sector[i] + std::max(m_kept[i], 0)]);
+      const std::pair<FT, FT> start = sectors.is_on_border[i]
+                                          ? border_start[i]
+                                          : std::pair<FT, FT>(FT(m_map.uv[h][0]), FT(m_map.uv[h][1]));
+      const bool is_closed = compute_sector_values(sectors, i, transition, m_kept[i], start, values);
+      CGAL_assertion(is_closed || !CGAL::Algebraic_structure_traits<FT>::Is_exact::value);
+      CGAL_USE(is_closed);
+      for (int k = 0; k < sectors.number_of_sectors(i); ++k)
+        write(i, k, values[k]);
+    }
+    return open_loop;
+  }
+
+  // Coordinates that are doubles are stored as such.
+  template <typename FT>
+  void write_sector(const int i, const int k, const std::pair<FT, FT>& value, Seamless_layout<FT>& layout) const
+  {
+    const std::array<double, 2> rounded = {{CGAL::to_double(value.first), CGAL::to_double(value.second)}};
+    const bool is_double = FT(rounded[0]) == value.first && FT(rounded[1]) == value.second;
+    const int determined = is_double ? -1 : layout.add_determined(value.first, value.second);
+    m_map.for_each_corner(i, k, [&](const Index h) {
+      if (is_double)
+        layout.set_uv(h, rounded);
+      else
+        layout.set_determined(h, determined);
+    });
+  }
+
+  const Cut_map& m_map;
+  std::vector<int> m_kept;  // per cut vertex, a sector or `fixed_point`
+  std::vector<int> m_faces; // sorted
+};
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_EXACT_CORNERS_H

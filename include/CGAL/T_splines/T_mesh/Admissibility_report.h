@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_T_MESH_ADMISSIBILITY_REPORT_H
+#define CGAL_T_SPLINES_T_MESH_ADMISSIBILITY_REPORT_H
+
+#include <boost/graph/graph_traits.hpp>
+
+namespace CGAL {
+namespace T_splines {
+
+/// Whether halfedge knots are admissible on a T-mesh, and if not, why.
+enum class Admissibility_status {
+  ADMISSIBLE,             ///< all conditions hold
+  NON_POSITIVE_KNOT,      ///< the knot interval of `halfedge`, of `face`, is not positive; `defect` is the interval
+  KNOT_NOT_FINITE,        ///< the knot interval of `halfedge`, of `face`, is infinite or not a number
+  WRONG_CORNER_COUNT,     ///< `face` has `number_of_corners` corners instead of four
+  OPPOSITE_SIDES_DIFFER,  ///< the side of `face` that contains `halfedge` is longer than the opposite one by `defect` times that one
+  CYCLE_CONDITION_VIOLATED ///< the product of the knot ratios around `vertex` is `1 + defect`
+};
+
+/// returns one sentence that explains `status`.
+inline const char* message(const Admissibility_status status)
+{
+  switch (status) {
+  case Admissibility_status::ADMISSIBLE: return "the halfedge knots are admissible";
+  case Admissibility_status::NON_POSITIVE_KNOT: return "a knot interval is not positive";
+  case Admissibility_status::KNOT_NOT_FINITE: return "a knot interval is not a finite number";
+  case Admissibility_status::WRONG_CORNER_COUNT: return "a face has not exactly four corners";
+  case Admissibility_status::OPPOSITE_SIDES_DIFFER: return "two opposite sides of a face have different lengths";
+  case Admissibility_status::CYCLE_CONDITION_VIOLATED:
+    return "the product of the ratios of opposite knot intervals around a vertex is not 1";
+  }
+  return "";
+}
+
+/// The result of `is_admissible()`: what is wrong, where, and how much. Members that `status` does not mention have no
+/// meaning.
+/// \tparam TMesh a model of `FaceGraph`.
+template <typename TMesh>
+struct Admissibility_report {
+  using Traits = boost::graph_traits<TMesh>;
+
+  Admissibility_status status = Admissibility_status::ADMISSIBLE;
+  typename Traits::vertex_descriptor vertex = Traits::null_vertex();
+  typename Traits::halfedge_descriptor halfedge = Traits::null_halfedge();
+  typename Traits::face_descriptor face = Traits::null_face();
+  int number_of_corners = 4;
+  double defect = 0; ///< of OPPOSITE_SIDES_DIFFER: (length - opposite length) / opposite length
+
+  bool success() const { return status == Admissibility_status::ADMISSIBLE; }
+  explicit operator bool() const { return success(); }
+};
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_T_MESH_ADMISSIBILITY_REPORT_H

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_T_MESH_INTERNAL_CHART_POINTS_H
+#define CGAL_T_SPLINES_T_MESH_INTERNAL_CHART_POINTS_H
+
+#include <CGAL/T_splines/Similarity_map/internal/Seamless_layout.h>
+#include <CGAL/T_splines/T_mesh/internal/isoline_directions.h>
+#include <CGAL/T_splines/internal/Mesh_indexing.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// Points in space of places in the charts of a map, in doubles.
+template <typename FT>
+class Chart_points {
+public:
+  using Point_3 = std::array<double, 3>;
+
+  /// \param points of the vertices of the map's mesh
+  Chart_points(const Seamless_layout<FT>& layout, const std::vector<Point_3>& points)
+    : m_layout(layout),
+      m_mesh(layout.mesh()),
+      m_points(points)
+  {
+  }
+
+  const Point_3& of_vertex(const int v) const { return m_points[v]; }
+
+  /// \param t from 0 at the source of h to 1
+  Point_3 on_edge(const int h, const double t) const
+  {
+    return combination(m_mesh.source(h), 1 - t, m_mesh.target(h), t, 0, 0);
+  }
+
+  Point_3 in_face(const int face, const double u, const double v) const
+  {
+    const int h = m_mesh.halfedge_of_face(face), g = m_mesh.next(h), k = m_mesh.next(g);
+    const std::array<double, 2> &p = m_layout.uv(h), &q = m_layout.uv(g), &r = m_layout.uv(k);
+    const double area = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+    double b = ((u - p[0]) * (r[1] - p[1]) - (v - p[1]) * (r[0] - p[0])) / area;
+    double c = ((q[0] - p[0]) * (v - p[1]) - (q[1] - p[1]) * (u - p[0])) / area;
+    b = std::clamp(b, 0., 1.);
+    c = std::clamp(c, 0., 1 - b);
+    return combination(m_mesh.target(h), 1 - b - c, m_mesh.target(g), b, m_mesh.target(k), c);
+  }
+
+  /// Where the line with a direction and a constant coordinate crosses an edge: from 0 at the source of h to 1.
+  double parameter_on_edge(const int h, const double line, const int direction) const
+  {
+    const int axis = axis_across(direction);
+    const double source = m_layout.uv(m_mesh.previous(h))[axis], target = m_layout.uv(h)[axis];
+    return source == target ? 0.5 : std::clamp((line - source) / (target - source), 0., 1.);
+  }
+
+private:
+  Point_3 combination(const int a, const double x, const int b, const double y, const int c, const double z) const
+  {
+    Point_3 point;
+    for (int i = 0; i < 3; ++i)
+      point[i] = x * m_points[a][i] + y * m_points[b][i] + z * m_points[c][i];
+    return point;
+  }
+
+  const Seamless_layout<FT>& m_layout;
+  const Triangulation_connectivity& m_mesh;
+  const std::vector<Point_3>& m_points;
+};
+
+/// The points of the vertices, by index.
+template <typename TriangleMesh, typename VertexPointMap>
+std::vector<std::array<double, 3>> points_in_doubles(const Mesh_indexing<TriangleMesh>& indexing, const VertexPointMap map)
+{
+  std::vector<std::array<double, 3>> points(indexing.number_of_vertices());
+  for (int v = 0; v < indexing.number_of_vertices(); ++v) {
+    const auto& p = get(map, indexing.vertex(v));
+    points[v] = {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
+  }
+  return points;
+}
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_T_MESH_INTERNAL_CHART_POINTS_H

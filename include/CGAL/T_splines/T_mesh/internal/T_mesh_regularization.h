@@ -1,0 +1,302 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_T_MESH_INTERNAL_T_MESH_REGULARIZATION_H
+#define CGAL_T_SPLINES_T_MESH_INTERNAL_T_MESH_REGULARIZATION_H
+
+#include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+#include <CGAL/T_splines/T_mesh/internal/Changed_faces.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/container_hash/hash.hpp>
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+inline double aspect_ratio(const double a, const double b) { return a > b ? a / b : b / a; }
+
+// A short fraction of powers of two that is near x, 0 < x < 1: three significant bits.
+inline std::pair<int, int> short_fraction(const double x)
+{
+  int exponent;
+  const double mantissa = std::frexp(x, &exponent); // in [1/2, 1)
+  return {static_cast<int>(std::lround(mantissa * 8)), exponent - 3};
+}
+
+// The greedy improvement of a T-mesh ([CZ17] section 8.1), its state between operations.
+template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename Visitor,
+          typename VertexIsConstrainedMap>
+class T_mesh_regularization {
+  using Traits = boost::graph_traits<TMesh>;
+  using halfedge_descriptor = typename Traits::halfedge_descriptor;
+  using face_descriptor = typename Traits::face_descriptor;
+  using Editor_visitor = T_mesh_visitor_pair<typename Changed_faces<TMesh>::Visitor, Visitor>;
+  using Editor =
+      T_mesh_editor<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Editor_visitor, VertexIsConstrainedMap>;
+  using FT = typename Editor::FT;
+
+  // The part from `from` to `to`, as fractions, of the overlap of the two faces of `h` is to be removed.
+  struct Removal {
+    halfedge_descriptor h;
+    double from, to;
+    double cost;
+    bool is_full; // no orthogonal edge is inserted
+  };
+
+  // What the prediction needs to know of an overlap; a unit of length is one of the first face.
+  struct Sizes {
+    double length;                   // of the overlap
+    std::array<double, 2> depth;     // of the two faces, across
+    std::array<double, 2> before;    // how far the two faces reach beyond the overlap's beginning
+    std::array<double, 2> after;     // and its end
+    bool first_is_fixed, last_is_fixed;
+
+    double old_aspect() const
+    {
+      double result = 1;
+      for (int i = 0; i < 2; ++i)
+        result = (std::max)(result, aspect_ratio(before[i] + length + after[i], depth[i]));
+      return result;
+    }
+
+    // The worst aspect ratio after the removal of the part from x to y.
+    double new_aspect(const double x, const double y) const
+    {
+      double result = aspect_ratio(y - x, depth[0] + depth[1]);
+      for (int i = 0; i < 2; ++i) {
+        for (const double rest : {before[i] + x, after[i] + length - y}) {
+          if (rest > 0)
+            result = (std::max)(result, aspect_ratio(rest, depth[i]));
+        }
+      }
+      return result;
+    }
+
+    // Each orthogonal edge adds a face, the removal takes one.
+    int added_faces(const double x, const double y) const
+    {
+      int result = -1;
+      for (int i = 0; i < 2; ++i)
+        result += (before[i] + x > 0) + (after[i] + y > 0);
+      return result;
+    }
+  };
+
+  struct Entry {
+    double aspect;
+    std::size_t stamp;
+    face_descriptor f;
+
+    friend bool operator<(const Entry& a, const Entry& b)
+    {
+      return a.aspect != b.aspect ? a.aspect < b.aspect : a.stamp > b.stamp;
+    }
+  };
+
+public:
+  struct Counts {
+    std::size_t removals = 0, flips = 0, partial_removals = 0;
+  };
+
+  // An operation must make the worst of the faces better by this factor. Then it ends: the sequence of all aspect
+  // ratios, rounded down to powers of the factor, sorted decreasingly, decreases lexicographically.
+  static constexpr double gain = 0.95;
+
+  // Chosen by experiments on 58 motorcycle graphs: of two operations, one with one face more must have an aspect ratio that
+  // is better by this factor,
+  static constexpr double face_cost = 1.5;
+  // and where no face is worse than this, none is added.
+  static constexpr double small_aspect = 3;
+
+  T_mesh_regularization(TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
+                        const Visitor& visitor, const VertexIsConstrainedMap vertex_is_constrained)
+    : m_t_mesh(t_mesh),
+      m_corners(corners),
+      m_editor(t_mesh, knots, corners, Editor_visitor(m_changed_faces.visitor(), visitor), vertex_is_constrained)
+  {}
+
+  // Executes at most the given number of operations.
+  Counts run(const std::size_t number_of_operations)
+  {
+    for (const face_descriptor f : faces(m_t_mesh))
+      push(f);
+    Counts counts;
+    std::size_t done = 0;
+    while (!m_queue.empty() && done < number_of_operations) {
+      const Entry entry = m_queue.top();
+      m_queue.pop();
+      const auto stamp = m_stamps.find(entry.f);
+      if (stamp == m_stamps.end() || stamp->second != entry.stamp)
+        continue;
+      Removal best{Traits::null_halfedge(), 0, 1, std::numeric_limits<double>::infinity(), true};
+      if (find_removal(entry.f, best) && execute(best)) {
+        ++(best.is_full ? counts.removals : best.from == 0 && best.to == 1 ? counts.flips : counts.partial_removals);
+        ++done;
+        update_queue();
+      }
+    }
+    return counts;
+  }
+
+  double aspect(const face_descriptor f) const
+  {
+    return aspect_ratio(CGAL::to_double(m_editor.coordinates().width(f)),
+                        CGAL::to_double(m_editor.coordinates().height(f)));
+  }
+
+private:
+  void push(const face_descriptor f)
+  {
+    m_stamps[f] = ++m_last_stamp;
+    m_queue.push({aspect(f), m_last_stamp, f});
+  }
+
+  void update_queue()
+  {
+    for (const face_descriptor f : m_changed_faces.removed())
+      m_stamps.erase(f);
+    std::vector<face_descriptor> near;
+    for (const face_descriptor f : m_changed_faces.changed()) {
+      near.push_back(f);
+      for (const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_t_mesh), m_t_mesh)) {
+        const face_descriptor g = face(opposite(h, m_t_mesh), m_t_mesh);
+        if (g != Traits::null_face() && g != near.back())
+          near.push_back(g);
+      }
+    }
+    const std::size_t first_stamp = m_last_stamp;
+    for (const face_descriptor f : near) {
+      const auto stamp = m_stamps.find(f);
+      if (stamp == m_stamps.end() || stamp->second <= first_stamp)
+        push(f);
+    }
+    m_changed_faces.clear();
+  }
+
+  // Finds the best removal on the long sides of f.
+  bool find_removal(const face_descriptor f, Removal& best) const
+  {
+    const bool is_wide = m_editor.coordinates().width(f) >= m_editor.coordinates().height(f);
+    bool is_found = false;
+    for (const int side : {is_wide ? 0 : 1, is_wide ? 2 : 3}) {
+      halfedge_descriptor h = m_editor.coordinates().first_of_side(f, side);
+      while (true) {
+        const face_descriptor g = face(opposite(h, m_t_mesh), m_t_mesh);
+        if (g != Traits::null_face() && g != f) {
+          const auto overlap = m_editor.overlap(h);
+          is_found = find_removal(overlap, sizes(overlap), best) || is_found;
+          h = overlap.last;
+        }
+        if (get(m_corners, h))
+          break;
+        h = next(h, m_t_mesh);
+      }
+    }
+    return is_found;
+  }
+
+  Sizes sizes(const typename Editor::Overlap& o) const
+  {
+    const halfedge_descriptor opposite_first = opposite(o.first, m_t_mesh);
+    const double scale = CGAL::to_double(o.scale), length = CGAL::to_double(FT(o.end - o.begin));
+    const FT opposite_after = o.opposite_side_length - o.opposite_begin - FT(o.end - o.begin) / o.scale;
+    Sizes result;
+    result.length = length;
+    result.depth = {depth(o.first), scale * depth(opposite_first)};
+    result.before = {reach(o.begin, get(m_corners, prev(o.first, m_t_mesh))),
+                     scale * reach(opposite_after, get(m_corners, opposite_first))};
+    result.after = {reach(FT(o.side_length - o.end), get(m_corners, o.last)),
+                    scale * reach(o.opposite_begin, get(m_corners, prev(opposite(o.last, m_t_mesh), m_t_mesh)))};
+    result.first_is_fixed = m_editor.is_fixed(target(opposite_first, m_t_mesh));
+    result.last_is_fixed = m_editor.is_fixed(target(o.last, m_t_mesh));
+    return result;
+  }
+
+  static double reach(const FT& x, const bool is_corner) { return is_corner ? 0 : CGAL::to_double(x); }
+
+  double depth(const halfedge_descriptor h) const
+  {
+    const face_descriptor f = face(h, m_t_mesh);
+    const bool is_horizontal = m_editor.coordinates().side(h) % 2 == 0;
+    return CGAL::to_double(is_horizontal ? m_editor.coordinates().height(f) : m_editor.coordinates().width(f));
+  }
+
+  // Tries the ends of an overlap, and points at which the faces cut off there are about as wide as long.
+  bool find_removal(const typename Editor::Overlap& o, const Sizes& s, Removal& best) const
+  {
+    std::vector<double> first = fractions(s, s.before), last = fractions(s, s.after);
+    if (!s.first_is_fixed)
+      first.push_back(0);
+    if (!s.last_is_fixed)
+      last.push_back(0);
+    const double old_aspect = s.old_aspect(), enough = gain * old_aspect;
+    bool is_found = false;
+    for (const double x : first) {
+      for (const double y : last) {
+        if (!(x + y < 1))
+          continue;
+        const double aspect = s.new_aspect(x * s.length, (1 - y) * s.length);
+        const int added_faces = s.added_faces(x, y);
+        const double cost = aspect * std::pow(face_cost, added_faces);
+        if (!(aspect <= enough) || (added_faces > 0 && old_aspect < small_aspect) || !(cost < best.cost))
+          continue;
+        best = {o.first, x, 1 - y, cost, added_faces == -1};
+        is_found = true;
+      }
+    }
+    return is_found;
+  }
+
+  // Where a removal may begin, as fractions of the overlap's length; exact doubles.
+  static std::vector<double> fractions(const Sizes& s, const std::array<double, 2>& reach)
+  {
+    std::vector<double> result;
+    for (const double x : {s.depth[0] - reach[0], s.depth[1] - reach[1], std::sqrt(s.depth[0] * s.depth[1]),
+                           (s.depth[0] + s.depth[1]) / 2}) {
+      const double fraction = x / s.length;
+      if (!(fraction > 1e-9 && fraction < 1))
+        continue;
+      const std::pair<int, int> rounded = short_fraction(fraction);
+      const double value = std::ldexp(rounded.first, rounded.second);
+      if (value < 1)
+        result.push_back(value);
+    }
+    return result;
+  }
+
+  bool execute(const Removal& r)
+  {
+    const auto o = m_editor.overlap(r.h);
+    const FT length = o.end - o.begin;
+    const FT from = FT(r.from) * length, to = r.to == 1 ? length : FT(FT(r.to) * length);
+    return bool(m_editor.remove_partly(r.h, from, to));
+  }
+
+  TMesh& m_t_mesh;
+  HalfedgeCornerMap m_corners;
+  Changed_faces<TMesh> m_changed_faces;
+  Editor m_editor;
+  std::priority_queue<Entry> m_queue;
+  std::unordered_map<face_descriptor, std::size_t, boost::hash<face_descriptor>> m_stamps; // of the valid entry
+  std::size_t m_last_stamp = 0;
+};
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_T_MESH_INTERNAL_T_MESH_REGULARIZATION_H

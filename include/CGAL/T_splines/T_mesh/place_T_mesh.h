@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_T_MESH_PLACE_T_MESH_H
+#define CGAL_T_SPLINES_T_MESH_PLACE_T_MESH_H
+
+#include <CGAL/T_splines/Similarity_map/Seamless_map.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_roots.h>
+#include <CGAL/T_splines/T_mesh/Tracing_traits.h>
+#include <CGAL/T_splines/T_mesh/internal/Chart_points.h>
+#include <CGAL/T_splines/T_mesh/internal/T_mesh_placement.h>
+#include <CGAL/T_splines/named_parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+
+/// finds where a T-mesh that was changed by operations lies on the surface: the points of its vertices and the course
+/// of its edges, which are isolines of the map.
+///
+/// From the roots, it walks along all edges, by their lengths, in exact arithmetic if `FT` is exact.
+/// \tparam TMesh a model of `FaceListGraph` and `VertexListGraph`
+/// \tparam HalfedgeKnotMap a readable map, halfedge -> number, convertible to `FT`
+/// \tparam HalfedgeCornerMap a readable map, halfedge -> `bool`
+/// \param map the map on which the T-mesh was traced
+/// \param t_mesh, knots, corners what `trace_motorcycle_graph()` made of it and operations changed
+/// \param roots the visitor of these operations
+/// \param np optional named parameters:
+///   `CGAL::parameters::vertex_point_map`: points of the mapped mesh (default: its internal map);
+///   `T_splines::parameters::tracing_traits`: a model of `TracingTraits`, copied (default: `Default_tracing_traits<FT>`);
+///   `T_splines::parameters::output_vertex_point_map`: points of the T-mesh (default: its internal map);
+///   `T_splines::parameters::edge_polyline_map`: as for `trace_motorcycle_graph()`
+/// \return whether the T-mesh fits: false if an edge leads over a cone or beyond a border; then not all is written.
+/// Complexity: linear in the number of triangles that the edges cross, and in the size of the mapped mesh.
+template <typename TriangleMesh, typename FT, typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+bool place_T_mesh(const Seamless_map<TriangleMesh, FT>& map, TMesh& t_mesh, const HalfedgeKnotMap knots,
+                  const HalfedgeCornerMap corners, const T_mesh_roots<TriangleMesh, TMesh, FT>& roots,
+                  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto traits = choose_parameter(get_parameter(np, np_tags::tracing_traits), Default_tracing_traits<FT>());
+  const auto point_map = choose_parameter(get_parameter(np, np_tags::output_vertex_point_map),
+                                          get_property_map(CGAL::vertex_point, t_mesh));
+  const auto polyline_map = get_parameter(np, np_tags::edge_polyline_map);
+  using Point_map = std::decay_t<decltype(point_map)>;
+  using Point_3 = typename boost::property_traits<Point_map>::value_type;
+  using Point = std::array<double, 3>;
+  const auto found_vertex = [&](const auto v, const Point& p) { put(point_map, v, Point_3(p[0], p[1], p[2])); };
+  const auto found_edge = [&]([[maybe_unused]] const auto e, [[maybe_unused]] const std::vector<Point>& points) {
+    if constexpr (!internal::is_missing<decltype(polyline_map)>) {
+      using Polyline = typename boost::property_traits<std::decay_t<decltype(polyline_map)>>::value_type;
+      Polyline polyline;
+      for (const Point& p : points)
+        polyline.push_back(typename Polyline::value_type(p[0], p[1], p[2]));
+      put(polyline_map, e, polyline);
+    }
+  };
+  const std::vector<Point> points = internal::points_in_doubles(
+    map.indexing(), choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                     get_const_property_map(CGAL::vertex_point, map.mesh())));
+  internal::T_mesh_placement<TriangleMesh, FT, TMesh, HalfedgeKnotMap, HalfedgeCornerMap, std::decay_t<decltype(traits)>>
+    placement(map, points, t_mesh, knots, corners, traits);
+  for (const auto& root : roots.roots())
+    if (!placement.place(root, found_vertex, found_edge))
+      return false;
+  return true;
+}
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_T_MESH_PLACE_T_MESH_H

@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_T_MESH_REGULARIZE_T_MESH_H
+#define CGAL_T_SPLINES_T_MESH_REGULARIZE_T_MESH_H
+
+#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
+#include <CGAL/T_splines/T_mesh/internal/T_mesh_regularization.h>
+#include <CGAL/T_splines/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+
+/// What `regularize_T_mesh()` did. An aspect ratio is at least 1.
+struct T_mesh_regularization_report {
+  std::size_t faces_before = 0, faces_after = 0;
+  double worst_aspect_before = 1, worst_aspect_after = 1;
+  double median_aspect_before = 1, median_aspect_after = 1;
+  std::size_t removals = 0;         ///< edges removed
+  std::size_t flips = 0;            ///< edges removed with orthogonal insertion
+  std::size_t partial_removals = 0; ///< edges removed in part
+};
+
+namespace internal {
+
+template <typename TMesh, typename Regularization>
+void aspect_statistics(const TMesh& t_mesh, const Regularization& regularization, std::size_t& number, double& worst,
+                       double& median)
+{
+  std::vector<double> aspects;
+  for (const auto f : faces(t_mesh))
+    aspects.push_back(regularization.aspect(f));
+  number = aspects.size();
+  if (aspects.empty())
+    return;
+  worst = *std::max_element(aspects.begin(), aspects.end());
+  const auto middle = aspects.begin() + aspects.size() / 2;
+  std::nth_element(aspects.begin(), middle, aspects.end());
+  median = *middle;
+}
+
+} // namespace internal
+
+/// makes the faces of a T-mesh squarer by removing edges, wholly or in part ([CZ17] section 8.1).
+///
+/// Greedily, the face with the worst aspect ratio comes first; of the removals on its long sides the one is executed after
+/// which the worst of the faces concerned is best, if it is better than before by at least 5 percent. So it ends. Edges
+/// at extraordinary vertices are removed only in part, and no such vertex moves.
+/// \tparam TMesh a model of `MutableFaceGraph` and `FaceListGraph`; it may be non-simple
+/// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_mesh_editor`
+/// \pre the knots are admissible
+/// \param np named parameters: `visitor`, a model of `TMeshVisitor`; `vertex_is_constrained_map`, vertices that are treated as
+///        extraordinary ones; `number_of_iterations`, a `std::size_t`, the largest number of operations (no bound)
+/// \return how many operations were done, and aspect ratios before and after
+/// Complexity: O(log n) for each operation, plus the number of halfedges of the faces that it touches and of their neighbours.
+template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+T_mesh_regularization_report regularize_T_mesh(TMesh& t_mesh, const HalfedgeKnotMap knots,
+                                               const HalfedgeCornerMap corners,
+                                               const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Not_constrained =
+      CGAL::Static_boolean_property_map<typename boost::graph_traits<TMesh>::vertex_descriptor, false>;
+  using Constraint_map = typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::vertex_is_constrained_t,
+                                                                            NamedParameters, Not_constrained>::type;
+  using Visitor = typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::visitor_t, NamedParameters,
+                                                                     T_mesh_visitor>::type;
+  const std::size_t number_of_operations =
+      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
+                       (std::numeric_limits<std::size_t>::max)());
+  internal::T_mesh_regularization<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Visitor, Constraint_map> regularization(
+      t_mesh, knots, corners, choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor()),
+      choose_parameter(get_parameter(np, CGAL::internal_np::vertex_is_constrained), Not_constrained()));
+
+  T_mesh_regularization_report report;
+  internal::aspect_statistics(t_mesh, regularization, report.faces_before, report.worst_aspect_before,
+                              report.median_aspect_before);
+  const auto counts = regularization.run(number_of_operations);
+  report.removals = counts.removals;
+  report.flips = counts.flips;
+  report.partial_removals = counts.partial_removals;
+  internal::aspect_statistics(t_mesh, regularization, report.faces_after, report.worst_aspect_after,
+                              report.median_aspect_after);
+  return report;
+}
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_T_MESH_REGULARIZE_T_MESH_H
