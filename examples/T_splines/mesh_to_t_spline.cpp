@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Computes a seamless similarity map of a mesh and writes it with a report: see help_text in mesh_to_t_spline/Options.h.
+// From a mesh, or a seamless map, to a T-mesh with halfedge knots: see help_text in mesh_to_t_spline/Options.h.
 
 #include "mesh_to_t_spline/Figures.h"
 #include "mesh_to_t_spline/Options.h"
@@ -9,19 +9,25 @@
 #include "mesh_to_t_spline/Progress.h"
 #include "mesh_to_t_spline/Refined_map.h"
 #include "mesh_to_t_spline/Summary.h"
+#include "mesh_to_t_spline/exact_map_stage.h"
 #include "mesh_to_t_spline/guidance.h"
 #include "mesh_to_t_spline/map_computation.h"
+#include "mesh_to_t_spline/t_mesh_stage.h"
 
+#include <CGAL/T_splines/IO/read_map_obj.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
 
+#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -33,77 +39,148 @@ struct Outcome {
   std::string message;
 };
 
-bool read_mesh(const Options& options, Mesh& mesh, Figures::Input& figures, Outcome& outcome)
+/// What is known of a mesh that was read.
+Figures::Input input_figures(Mesh& mesh, const std::string& path, const std::string& note)
 {
-  const CGAL::T_splines::Mesh_reading_report report = CGAL::T_splines::read_triangle_mesh(options.mesh, mesh);
-  if (!report.success()) {
-    outcome = {exit_bad_input, options.mesh + ": " + describe(report)};
-    return false;
-  }
-  figures.name = std::filesystem::path(options.mesh).filename().string();
-  figures.path = options.mesh;
-  figures.note = note(report);
+  Figures::Input figures;
+  figures.name = std::filesystem::path(path).filename().string();
+  figures.path = path;
+  figures.note = note;
   figures.vertices = num_vertices(mesh);
   figures.edges = num_edges(mesh);
   figures.faces = num_faces(mesh);
   auto component = mesh.add_property_map<Face, std::size_t>("f:component").first;
   figures.components = CGAL::Polygon_mesh_processing::connected_components(mesh, component);
   mesh.remove_property_map(component);
+  std::vector<Halfedge> borders;
+  CGAL::Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(borders));
   const long characteristic =
-    static_cast<long>(figures.vertices) - static_cast<long>(figures.edges) + static_cast<long>(figures.faces);
-  figures.genus = static_cast<long>(figures.components) - characteristic / 2;
-  return true;
+      static_cast<long>(figures.vertices) - static_cast<long>(figures.edges) + static_cast<long>(figures.faces);
+  figures.genus = static_cast<long>(figures.components) - (characteristic + static_cast<long>(borders.size())) / 2;
+  return figures;
 }
 
-/// Everything from the mesh to the files.
-Outcome run(const Options& options)
-{
-  Outcome outcome;
-  Figures figures;
-  Progress progress(options.is_quiet);
-  Chosen_spd_solver_traits solver(options.solver);
-  figures.version = program_version;
-
-  progress.begin_stage("reading");
-  Mesh mesh;
-  const bool is_read = read_mesh(options, mesh, figures.input, outcome);
-  progress.end_stage();
-  if (!is_read)
-    return outcome;
-  if (!figures.input.note.empty() && !options.is_quiet)
-    std::cerr << options.mesh << ": note: " << figures.input.note << "\n";
-
-  Signature signature;
-  const Guidance_result guidance = find_signature(options, mesh, solver, progress, signature, figures.signature);
-  if (interruption_flag != 0)
-    return {exit_interrupted, "interrupted"};
-  if (!guidance.message.empty())
-    return {guidance.is_bad_input ? exit_bad_input : exit_failure, guidance.message};
-
-  Refined_map refined;
-  const std::string failure = compute_map(options, mesh, signature, solver, progress, refined, figures.map);
-  if (interruption_flag != 0)
-    return {exit_interrupted, "interrupted"};
-  if (!failure.empty())
-    return {exit_failure, options.mesh + ": " + failure};
-
-  progress.begin_stage("writing");
-  figures.refined = refined_figures(refined);
-  figures.stages = progress.stages();
-  figures.seconds = progress.seconds();
-  figures.peak_memory_bytes = peak_memory_bytes();
-  outcome.message = write_output_files(options.output_directory, mesh, refined, figures);
-  progress.end_stage();
-  if (!outcome.message.empty())
-    outcome.exit_code = exit_failure;
-  else if (!options.is_quiet) {
-    figures.stages = progress.stages();
-    figures.seconds = progress.seconds();
-    print_summary(std::cout, figures);
-    std::cout << "  written     map.obj, report.json and report.html in " << options.output_directory << std::endl;
+/// The whole run, stage by stage. Each stage returns whether the run goes on.
+class Run {
+public:
+  explicit Run(const Options& options) : m_options(options), m_progress(options.is_quiet), m_solver(options.solver)
+  {
+    m_figures.version = program_version;
   }
-  return outcome;
-}
+
+  Outcome operator()()
+  {
+    const bool has_map = m_options.uv.empty() ? read_mesh() && find_map() : read_map();
+    if (has_map && (m_options.is_map_only || make_t_mesh()))
+      write();
+    if (interruption_flag != 0 && m_outcome.exit_code != EXIT_SUCCESS)
+      return {exit_interrupted, "interrupted"};
+    return m_outcome;
+  }
+
+private:
+  bool fail(const int exit_code, const std::string& message)
+  {
+    m_outcome = {exit_code, message};
+    return false;
+  }
+
+  const std::string& input_file() const { return m_options.uv.empty() ? m_options.mesh : m_options.uv; }
+
+  bool end_reading(const CGAL::T_splines::Mesh_reading_report& report, Mesh& mesh)
+  {
+    m_progress.end_stage();
+    if (!report.success())
+      return fail(exit_bad_input, input_file() + ": " + describe(report));
+    m_figures.input = input_figures(mesh, input_file(), note(report));
+    if (!m_figures.input.note.empty() && !m_options.is_quiet)
+      std::cerr << input_file() << ": note: " << m_figures.input.note << "\n";
+    return true;
+  }
+
+  bool read_mesh()
+  {
+    m_progress.begin_stage("reading");
+    return end_reading(CGAL::T_splines::read_triangle_mesh(m_options.mesh, m_results.input), m_results.input);
+  }
+
+  bool read_map()
+  {
+    m_progress.begin_stage("reading");
+    Refined_map& refined = m_results.refined;
+    m_figures.signature.source = "map " + std::filesystem::path(m_options.uv).filename().string();
+    return end_reading(CGAL::T_splines::read_map_obj(m_options.uv, refined.mesh, refined.uv), refined.mesh);
+  }
+
+  bool find_map()
+  {
+    Signature signature;
+    const Guidance_result guidance =
+        find_signature(m_options, m_results.input, m_solver, m_progress, signature, m_figures.signature);
+    if (interruption_flag != 0)
+      return fail(exit_interrupted, "interrupted");
+    if (!guidance.message.empty())
+      return fail(guidance.is_bad_input ? exit_bad_input : exit_failure, guidance.message);
+    const std::string failure = compute_map(m_options, m_results.input, signature, m_solver, m_progress,
+                                            m_results.refined, m_figures.map.emplace());
+    if (!failure.empty())
+      return fail(exit_failure, m_options.mesh + ": " + failure);
+    m_results.has_map = true;
+    return interruption_flag == 0 || fail(exit_interrupted, "interrupted");
+  }
+
+  bool make_t_mesh()
+  {
+    m_progress.begin_stage("exact map");
+    Exact_map map(m_results.refined.mesh);
+    const bool is_given = !m_results.has_map;
+    std::string failure = compute_exact_map(m_results.refined, map, m_figures.exact_map.emplace());
+    if (!failure.empty())
+      return fail(is_given ? exit_bad_input : exit_failure, input_file() + ": " + failure);
+    if (is_given)
+      take_structure(map, m_results.refined, m_figures.signature);
+    failure = trace_t_mesh(map, m_progress, m_results.t_mesh, m_figures.t_mesh.emplace());
+    if (!failure.empty())
+      return fail(exit_failure, input_file() + ": " + failure);
+    m_results.traced = drawing_of(m_results.t_mesh);
+    if (m_options.is_regularized) {
+      failure = regularize(map, m_progress, m_results.t_mesh, m_figures.t_mesh->regularization.emplace());
+      if (!failure.empty())
+        return fail(exit_failure, input_file() + ": " + failure);
+      m_results.regularized = drawing_of(m_results.t_mesh);
+    }
+    m_results.has_t_mesh = true;
+    return interruption_flag == 0 || fail(exit_interrupted, "interrupted");
+  }
+
+  bool write()
+  {
+    m_progress.begin_stage("writing");
+    m_figures.refined = refined_figures(m_results.refined);
+    m_figures.stages = m_progress.stages();
+    m_figures.seconds = m_progress.seconds();
+    m_figures.peak_memory_bytes = peak_memory_bytes();
+    std::string names;
+    const std::string failure = write_output_files(m_options.output_directory, m_results, m_figures, names);
+    m_progress.end_stage();
+    if (!failure.empty())
+      return fail(exit_failure, failure);
+    if (!m_options.is_quiet) {
+      m_figures.stages = m_progress.stages();
+      m_figures.seconds = m_progress.seconds();
+      print_summary(std::cout, m_figures);
+      std::cout << "  written     " << names << " in " << m_options.output_directory << std::endl;
+    }
+    return true;
+  }
+
+  const Options& m_options;
+  Outcome m_outcome;
+  Figures m_figures;
+  Progress m_progress;
+  Chosen_spd_solver_traits m_solver;
+  Results m_results;
+};
 
 } // namespace
 
@@ -134,7 +211,7 @@ int main(const int argc, char** argv)
   std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is an error of writing like any other
 #endif
   try {
-    const Outcome outcome = run(options);
+    const Outcome outcome = Run(options)();
     if (!outcome.message.empty())
       std::cerr << "mesh_to_t_spline: " << outcome.message << "\n";
     return outcome.exit_code;

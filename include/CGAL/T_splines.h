@@ -45,11 +45,21 @@
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
 #include <CGAL/T_splines/Solver/default_solver.h>
 #include <CGAL/T_splines/Solver/preconditioned_conjugate_gradients.h>
+#include <CGAL/T_splines/T_mesh/Admissibility_report.h>
+#include <CGAL/T_splines/T_mesh/Carried_points.h>
 #include <CGAL/T_splines/T_mesh/Motorcycle_graph_report.h>
+#include <CGAL/T_splines/T_mesh/Surface_face_size.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_edit.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_roots.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/Tracing_traits.h>
+#include <CGAL/T_splines/T_mesh/is_admissible.h>
 #include <CGAL/T_splines/T_mesh/place_T_mesh.h>
+#include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
+#include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/trace_motorcycle_graph.h>
 #include <CGAL/T_splines/named_parameters.h>
 

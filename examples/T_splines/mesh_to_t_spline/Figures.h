@@ -4,12 +4,32 @@
 #ifndef MESH_TO_T_SPLINE_FIGURES_H
 #define MESH_TO_T_SPLINE_FIGURES_H
 
+#include "t_mesh_figures.h"
+
 #include <CGAL/T_splines/IO/internal/Json_writer.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+/// How the map was computed.
+struct Map_figures {
+  std::string status, solver, flip_policy;
+  bool converged = false;
+  double residual = 0, tolerance = 0;
+  std::vector<double> residual_history;
+  int iterations = 0, halvings = 0, factorizations = 0, linear_iterations = 0, mantissa_bits = 53;
+  std::size_t delaunay_flips = 0, flips = 0;
+};
+
+/// The T-mesh from the motorcycles on.
+struct T_mesh_stage_figures {
+  Tracing_figures tracing;
+  T_mesh_figures traced;
+  std::optional<Regularization_figures> regularization;
+};
 
 /// Every number of a run: what the summary, `report.json` and `report.html` show.
 struct Figures {
@@ -22,14 +42,6 @@ struct Figures {
     std::string source;
     std::vector<std::pair<std::size_t, int>> cones; ///< vertex of the input, quarter turns
     std::vector<int> loops;
-  };
-  struct Map {
-    std::string status, solver, flip_policy;
-    bool converged = false;
-    double residual = 0, tolerance = 0;
-    std::vector<double> residual_history;
-    int iterations = 0, halvings = 0, factorizations = 0, linear_iterations = 0, mantissa_bits = 53;
-    std::size_t delaunay_flips = 0, flips = 0;
   };
   struct Transition {
     int quarter_turns;
@@ -49,14 +61,16 @@ struct Figures {
   std::string version;
   Input input;
   Signature signature;
-  Map map;
+  std::optional<Map_figures> map; ///< none if a given map was read
   Refined refined;
+  std::optional<Exact_map_figures> exact_map;
+  std::optional<T_mesh_stage_figures> t_mesh;
   std::vector<Stage> stages;
   double seconds = 0;
   std::size_t peak_memory_bytes = 0; ///< 0: not known
 };
 
-inline void write_map_figures(CGAL::T_splines::internal::Json_writer& json, const Figures::Map& map)
+inline void write_map_figures(CGAL::T_splines::internal::Json_writer& json, const Map_figures& map)
 {
   json.key("map").begin_object();
   json.member("status", map.status).member("converged", map.converged);
@@ -98,6 +112,18 @@ inline void write_refined_figures(CGAL::T_splines::internal::Json_writer& json, 
   json.end_object();
 }
 
+inline void write_t_mesh_figures(CGAL::T_splines::internal::Json_writer& json, const T_mesh_stage_figures& figures)
+{
+  json.key("t_mesh").begin_object();
+  write_tracing_figures(json, figures.tracing);
+  json.key("traced").begin_object();
+  write_t_mesh_members(json, figures.traced);
+  json.end_object();
+  if (figures.regularization)
+    write_regularization_figures(json, *figures.regularization);
+  json.end_object();
+}
+
 /// The content of `report.json`.
 inline std::string figures_as_json(const Figures& figures)
 {
@@ -110,8 +136,13 @@ inline std::string figures_as_json(const Figures& figures)
   json.member("components", figures.input.components).member("genus", figures.input.genus);
   json.end_object();
   write_signature_figures(json, figures.signature);
-  write_map_figures(json, figures.map);
+  if (figures.map)
+    write_map_figures(json, *figures.map);
   write_refined_figures(json, figures.refined);
+  if (figures.exact_map)
+    write_exact_map_figures(json, *figures.exact_map);
+  if (figures.t_mesh)
+    write_t_mesh_figures(json, *figures.t_mesh);
   json.key("stages").begin_array();
   for (const Figures::Stage& stage : figures.stages)
     json.begin_object().member("name", stage.name).member("seconds", stage.seconds).end_object();

@@ -17,12 +17,16 @@ constexpr std::string_view program_version = "0.1.0";
 
 constexpr std::string_view help_text =
   R"(Usage: mesh_to_t_spline MESH [OPTION...]
+       mesh_to_t_spline --uv MAP [OPTION...]
 
-Computes a seamless similarity map of a closed triangle mesh, guided by a cross field, and writes
-map.obj, report.json and report.html.
+Computes a seamless similarity map of a closed triangle mesh, guided by a cross field, and from it a T-mesh with
+halfedge knots; or a T-mesh from a given map. It writes map.obj (unless the map is given), t_mesh.ply, report.json
+and report.html.
 
 MESH is an OFF, OBJ, PLY or STL file. Faces that are not triangles are triangulated.
 
+  --uv MAP                  a seamless map: an OBJ file with uv (vt) at every corner; nothing of the next two
+                            groups of options goes with it
 Guidance (without any, a smooth cross field is computed):
   --field FILE              a cross field: .rawfield, .crossfield, .rosy or .ffield
   --cones FILE              cones: .cones, or total angles: .Th_hat
@@ -37,12 +41,15 @@ Computation:
   --max-iterations N        (100)
   --precision double|extended|quad
                             the number type to begin with; wider ones follow where it does not suffice (double)
+T-mesh:
+  --no-regularization       the T-mesh as the motorcycles trace it
+  --map-only                no T-mesh
 Output:
   -o DIR                    where to write; made if it does not exist (.)
   --quiet                   no progress and no summary
   --version, --help
 
-Exit code: 0 the map was computed and written, 1 the computation or the writing failed, 2 bad usage or bad input,
+Exit code: 0 all was computed and written, 1 the computation or the writing failed, 2 bad usage or bad input,
 130 interrupted. Files are written whole or not at all, and only when all has been computed.
 )";
 
@@ -51,14 +58,14 @@ enum class Flips_choice { DELAUNAY, DEGENERACY, DEGENERACY_ONLY };
 enum class Precision_choice { DOUBLE, EXTENDED, QUAD };
 
 struct Options {
-  std::string mesh, field, cones, output_directory = ".";
+  std::string mesh, uv, field, cones, output_directory = ".";
   std::optional<std::vector<int>> loops;
   double curvature_alignment = 0, residual_tolerance = 1e-12;
   int max_iterations = 100;
   Solver_choice solver = Solver_choice::LDLT;
   Flips_choice flips = Flips_choice::DELAUNAY;
   Precision_choice precision = Precision_choice::DOUBLE;
-  bool is_quiet = false, asks_help = false, asks_version = false;
+  bool is_map_only = false, is_regularized = true, is_quiet = false, asks_help = false, asks_version = false;
 };
 
 /// Reads the command line.
@@ -89,7 +96,9 @@ public:
 private:
   void check(const Options& options)
   {
-    if (options.mesh.empty())
+    if (!options.uv.empty())
+      check_given_map(options);
+    else if (options.mesh.empty())
       m_error = "no mesh is given";
     else if (!options.field.empty() && !options.cones.empty())
       m_error = "--field and --cones exclude each other";
@@ -97,6 +106,16 @@ private:
       m_error = "--loops goes with --cones: a field has turning numbers of its own";
     else if (options.curvature_alignment > 0 && !(options.field.empty() && options.cones.empty()))
       m_error = "--align-curvature is for the computed field";
+  }
+
+  void check_given_map(const Options& options)
+  {
+    if (!options.mesh.empty())
+      m_error = "--uv and a mesh exclude each other: the file of the map has the mesh";
+    else if (options.is_map_only)
+      m_error = "--uv and --map-only leave nothing to do";
+    else if (!m_map_option.empty())
+      m_error = m_map_option + " does not go with --uv: the map is given";
   }
 
   void parse_option(const std::string& argument, Options& options)
@@ -112,7 +131,22 @@ private:
       parse_flag(options.is_quiet);
     else if (m_name == "-o")
       options.output_directory = value();
-    else if (m_name == "--field")
+    else if (m_name == "--uv")
+      options.uv = value();
+    else if (m_name == "--map-only")
+      parse_flag(options.is_map_only);
+    else if (m_name == "--no-regularization")
+      parse_flag(options.is_regularized, false);
+    else
+      parse_map_option(options);
+  }
+
+  /// What says how the map is computed.
+  void parse_map_option(Options& options)
+  {
+    if (m_map_option.empty())
+      m_map_option = m_name;
+    if (m_name == "--field")
       options.field = value();
     else if (m_name == "--cones")
       options.cones = value();
@@ -134,9 +168,9 @@ private:
       m_error = "unknown option " + m_name;
   }
 
-  void parse_flag(bool& flag)
+  void parse_flag(bool& flag, const bool meaning = true)
   {
-    flag = true;
+    flag = meaning;
     if (m_value)
       m_error = m_name + " takes no value";
   }
@@ -207,6 +241,7 @@ private:
   std::vector<std::string> m_arguments;
   std::size_t m_next = 0;
   std::string m_name, m_error;
+  std::string m_map_option; ///< the first option about the computation of the map; empty if there was none
   std::optional<std::string> m_value;
 };
 

@@ -6,16 +6,24 @@
 
 #include "Figures.h"
 #include "Refined_map.h"
+#include "Surface_t_mesh.h"
 #include "report_page.h"
 
 #include <CGAL/T_splines/IO/internal/Atomic_file.h>
 #include <CGAL/T_splines/IO/write_map_obj.h>
+#include <CGAL/T_splines/IO/write_t_mesh.h>
+
+#include <CGAL/Named_function_parameters.h>
 
 #include <cerrno>
+#include <deque>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <unistd.h>
@@ -39,36 +47,108 @@ inline std::string check_output_directory(const std::filesystem::path& directory
   return {};
 }
 
-/// Writes all files of the run, or none.
-/// \return what went wrong; empty if nothing did.
-inline std::string write_output_files(const std::filesystem::path& directory, const Mesh& input, const Refined_map& refined,
-                                      const Figures& figures)
+/// What the files are made of.
+struct Results {
+  Mesh input;           ///< empty if the map was given
+  bool has_map = false; ///< whether the map was computed
+  Refined_map refined;
+  bool has_t_mesh = false;
+  Surface_t_mesh t_mesh;
+  T_mesh_drawing traced, regularized; ///< empty where there is none
+};
+
+/// Hands the report page to `sink`.
+template <typename Sink>
+void write_report_page(Sink& sink, const std::string& report, const Results& results)
 {
-  using CGAL::T_splines::internal::Atomic_file;
+  const Refined_map& refined = results.refined;
+  std::optional<Input_edge_finder> finder;
+  if (results.has_map)
+    finder.emplace(results.input, refined);
+  const auto is_input_edge = [&finder](const Edge e) { return !finder || (*finder)(e); };
+  const auto is_cut = [&refined](const Edge e) { return refined.is_cut[e]; };
+  const Page_frame frame = page_frame(refined.mesh, refined.mesh.points());
+  write_report_page(sink, report, frame,
+                    page_mesh(refined.mesh, refined.mesh.points(), refined.uv, frame, is_input_edge, is_cut),
+                    results.traced, results.regularized);
+}
+
+/// Files that appear together.
+class Output_files {
+public:
+  explicit Output_files(std::filesystem::path directory) : m_directory(std::move(directory)) {}
+
+  /// Adds a file. \param format is called with a function object that takes pieces of the content
+  template <typename Format>
+  void add(const char* name, const Format& format)
+  {
+    Atomic_file& file = m_files.emplace_back(m_directory / name);
+    const auto sink = [&file](const std::string_view text) { file.write(text); };
+    format(sink);
+    m_names.push_back(name);
+  }
+
+  /// Publishes the files. \return what went wrong; empty if nothing did.
+  std::string commit()
+  {
+    for (Atomic_file& file : m_files)
+      if (!file.finish())
+        return failure(file);
+    for (Atomic_file& file : m_files)
+      if (!file.commit())
+        return failure(file);
+    return {};
+  }
+
+  /// The names as a list in words.
+  std::string names() const
+  {
+    std::string list;
+    for (std::size_t i = 0; i < m_names.size(); ++i)
+      list += (i == 0 ? "" : i + 1 == m_names.size() ? " and " : ", ") + m_names[i];
+    return list;
+  }
+
+private:
+  using Atomic_file = CGAL::T_splines::internal::Atomic_file;
+
+  static std::string failure(const Atomic_file& file)
+  {
+    return "cannot write " + file.path().string() + ": " + std::generic_category().message(file.error());
+  }
+
+  std::filesystem::path m_directory;
+  std::deque<Atomic_file> m_files;
+  std::vector<std::string> m_names;
+};
+
+/// Writes all files of the run, or none.
+/// \param names receives the names of the files
+/// \return what went wrong; empty if nothing did.
+inline std::string write_output_files(const std::filesystem::path& directory, const Results& results,
+                                      const Figures& figures, std::string& names)
+{
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error)
     return "cannot make " + directory.string() + ": " + error.message();
 
-  Atomic_file map_file(directory / "map.obj"), json_file(directory / "report.json"), page_file(directory / "report.html");
-  const auto map_sink = [&map_file](const std::string_view text) { map_file.write(text); };
-  const auto page_sink = [&page_file](const std::string_view text) { page_file.write(text); };
-  CGAL::T_splines::internal::format_map_obj(map_sink, refined.mesh, refined.uv, refined.mesh.points());
+  Output_files files(directory);
+  if (results.has_map)
+    files.add("map.obj", [&](auto& sink) {
+      const Refined_map& refined = results.refined;
+      CGAL::T_splines::internal::format_map_obj(sink, refined.mesh, refined.uv, refined.mesh.points());
+    });
+  if (results.has_t_mesh)
+    files.add("t_mesh.ply", [&](auto& sink) {
+      const Surface_t_mesh& t = results.t_mesh;
+      CGAL::T_splines::internal::format_t_mesh(sink, t.mesh, t.knots, t.corners, CGAL::parameters::default_values());
+    });
   const std::string report = figures_as_json(figures);
-  json_file.write(report);
-  const auto is_cut = [&refined](const Edge e) { return refined.is_cut[e]; };
-  write_report_page(page_sink, report,
-                    page_mesh(refined.mesh, refined.mesh.points(), refined.uv, Input_edge_finder(input, refined), is_cut));
-  const auto failure = [](const Atomic_file& file) {
-    return "cannot write " + file.path().string() + ": " + std::generic_category().message(file.error());
-  };
-  for (Atomic_file* file : {&map_file, &json_file, &page_file})
-    if (!file->finish())
-      return failure(*file);
-  for (Atomic_file* file : {&map_file, &json_file, &page_file})
-    if (!file->commit())
-      return failure(*file);
-  return {};
+  files.add("report.json", [&report](auto& sink) { sink(report); });
+  files.add("report.html", [&](auto& sink) { write_report_page(sink, report, results); });
+  names = files.names();
+  return files.commit();
 }
 
 #endif // MESH_TO_T_SPLINE_OUTPUT_FILES_H

@@ -63,7 +63,8 @@ inline std::string describe_failure(const Map_report& report)
 
 /// \return why there is no map; empty if there is one.
 inline std::string compute_map(const Options& options, const Mesh& mesh, const Signature& signature,
-                               Chosen_spd_solver_traits& solver, Progress& progress, Refined_map& refined, Figures::Map& figures)
+                               Chosen_spd_solver_traits& solver, Progress& progress, Refined_map& refined,
+                               Map_figures& figures)
 {
   namespace P = CGAL::T_splines::parameters;
   const auto outputs = P::edge_is_cut_map(

@@ -4,6 +4,7 @@
 #ifndef MESH_TO_T_SPLINE_REPORT_PAGE_H
 #define MESH_TO_T_SPLINE_REPORT_PAGE_H
 
+#include "Surface_t_mesh.h"
 #include "report_page_files.h" // made by CMake from the folder page
 
 #include <CGAL/T_splines/IO/internal/Uv_vertex_table.h>
@@ -66,36 +67,61 @@ struct Page_mesh {
   std::vector<std::uint8_t> edge_flags;
 };
 
-/// Positions are moved and scaled so that the bounding box is centred at 0 and has the diagonal 2.
-template <typename Indexing, typename VertexPointMap>
-std::vector<float> page_positions(const Indexing& indexing, const VertexPointMap vertex_point_map)
+/// Positions on the page are moved and scaled so that the bounding box of the mesh is centred at 0 and has the diagonal 2.
+class Page_frame {
+public:
+  explicit Page_frame(const CGAL::Bbox_3& box)
+  {
+    for (std::size_t d = 0; d < 3; ++d) {
+      const int i = static_cast<int>(d);
+      m_middle[d] = box.min(i) + (box.max(i) - box.min(i)) / 2;
+      m_diagonal = std::hypot(m_diagonal, box.max(i) - box.min(i));
+    }
+  }
+
+  /// Appends the coordinates of `point` on the page.
+  template <typename Point_3>
+  void append(const Point_3& point, std::vector<float>& positions) const
+  {
+    for (std::size_t d = 0; d < 3; ++d)
+      positions.push_back(static_cast<float>(2 * (point[static_cast<int>(d)] - m_middle[d]) / m_diagonal));
+  }
+
+  template <typename Point_3>
+  std::vector<float> positions(const std::vector<Point_3>& points) const
+  {
+    std::vector<float> result;
+    result.reserve(3 * points.size());
+    for (const Point_3& point : points)
+      append(point, result);
+    return result;
+  }
+
+private:
+  std::array<double, 3> m_middle = {};
+  double m_diagonal = 0;
+};
+
+template <typename Mesh, typename VertexPointMap>
+Page_frame page_frame(const Mesh& mesh, const VertexPointMap vertex_point_map)
 {
   CGAL::Bbox_3 box;
-  for (int v = 0; v < indexing.number_of_vertices(); ++v)
-    box += get(vertex_point_map, indexing.vertex(v)).bbox();
-  double diagonal = 0;
-  for (int d = 0; d < 3; ++d)
-    diagonal = std::hypot(diagonal, box.max(d) - box.min(d));
-  std::vector<float> positions;
-  positions.reserve(3 * static_cast<std::size_t>(indexing.number_of_vertices()));
-  for (int v = 0; v < indexing.number_of_vertices(); ++v)
-    for (int d = 0; d < 3; ++d) {
-      const double middle = box.min(d) + (box.max(d) - box.min(d)) / 2;
-      positions.push_back(static_cast<float>(2 * (get(vertex_point_map, indexing.vertex(v))[d] - middle) / diagonal));
-    }
-  return positions;
+  for (const auto v : CGAL::make_range(vertices(mesh)))
+    box += get(vertex_point_map, v).bbox();
+  return Page_frame(box);
 }
 
 /// \param is_input_edge edge -> bool: lies on an edge of the input
 /// \param is_cut edge -> bool
 template <typename FaceGraph, typename VertexPointMap, typename HalfedgeUVMap, typename IsInputEdge, typename IsCut>
 Page_mesh page_mesh(const FaceGraph& mesh, const VertexPointMap vertex_point_map, const HalfedgeUVMap uv_map,
-                    const IsInputEdge& is_input_edge, const IsCut& is_cut)
+                    const Page_frame& frame, const IsInputEdge& is_input_edge, const IsCut& is_cut)
 {
   const CGAL::T_splines::internal::Mesh_indexing<FaceGraph> indexing(mesh);
   const CGAL::T_splines::internal::Uv_vertex_table table(indexing, uv_map);
   Page_mesh result;
-  result.positions = page_positions(indexing, vertex_point_map);
+  for (int v = 0; v < indexing.number_of_vertices(); ++v)
+    frame.append(get(vertex_point_map, indexing.vertex(v)), result.positions);
   for (std::size_t i = 0; i < table.size(); ++i) {
     result.uv.insert(result.uv.end(), table.uv(i).begin(), table.uv(i).end());
     result.uv_vertices.push_back(static_cast<std::uint32_t>(table.vertex(i)));
@@ -115,8 +141,10 @@ Page_mesh page_mesh(const FaceGraph& mesh, const VertexPointMap vertex_point_map
 
 /// Hands the page to `sink`, a function object that takes a `std::string_view`: the template with the files of the folder page
 /// and the data in the places that are marked by `@name@`.
+/// \param traced, regular the T-mesh before and after regularization; empty where there is none
 template <typename Sink>
-void write_report_page(Sink& sink, const std::string& report_as_json, const Page_mesh& mesh)
+void write_report_page(Sink& sink, const std::string& report_as_json, const Page_frame& frame, const Page_mesh& mesh,
+                       const T_mesh_drawing& traced, const T_mesh_drawing& regular)
 {
   const std::map<std::string_view, std::function<std::string()>> data = {
     {"report", [&] { return report_as_json; }},
@@ -124,7 +152,13 @@ void write_report_page(Sink& sink, const std::string& report_as_json, const Page
     {"uv", [&] { return base64_of_array(mesh.uv); }},
     {"uv_vertices", [&] { return base64_of_array(mesh.uv_vertices); }},
     {"triangles", [&] { return base64_of_array(mesh.triangles); }},
-    {"edge_flags", [&] { return base64_of_array(mesh.edge_flags); }}};
+    {"edge_flags", [&] { return base64_of_array(mesh.edge_flags); }},
+    {"traced_points", [&] { return base64_of_array(frame.positions(traced.points)); }},
+    {"traced_sizes", [&] { return base64_of_array(traced.sizes); }},
+    {"traced_joints", [&] { return base64_of_array(frame.positions(traced.t_joints)); }},
+    {"regular_points", [&] { return base64_of_array(frame.positions(regular.points)); }},
+    {"regular_sizes", [&] { return base64_of_array(regular.sizes); }},
+    {"regular_joints", [&] { return base64_of_array(frame.positions(regular.t_joints)); }}};
   std::string_view rest = report_page_file("page.html");
   for (std::size_t begin = rest.find('@'); begin != std::string_view::npos; begin = rest.find('@')) {
     const std::size_t end = rest.find('@', begin + 1);

@@ -1,9 +1,11 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Cube_map.h"
 #include "Program_run.h"
 
 #include <CGAL/T_splines/IO/read_map_obj.h>
+#include <CGAL/T_splines/IO/read_t_mesh.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -64,14 +66,40 @@ void write_torus(const std::string& name, const int n, const double offset, cons
     }
 }
 
-/// Checks that a run's directory holds the three files and nothing else, and that the map refines the mesh.
+std::set<std::string> files_of(const std::string& directory)
+{
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(directory))
+    names.insert(entry.path().filename().string());
+  return names;
+}
+
+/// A T-mesh that the program wrote.
+struct Test_t_mesh {
+  Mesh mesh;
+  Mesh::Property_map<Mesh::Halfedge_index, double> knots =
+    mesh.add_property_map<Mesh::Halfedge_index, double>("h:knot").first;
+  Mesh::Property_map<Mesh::Halfedge_index, bool> corners =
+    mesh.add_property_map<Mesh::Halfedge_index, bool>("h:is_corner").first;
+
+  CGAL::T_splines::T_mesh_reading_report read(const std::string& name)
+  {
+    return CGAL::T_splines::read_t_mesh(name, mesh, knots, corners);
+  }
+  long euler_characteristic() const
+  {
+    return static_cast<long>(mesh.number_of_vertices()) - static_cast<long>(mesh.number_of_edges())
+           + static_cast<long>(mesh.number_of_faces());
+  }
+};
+
+/// Checks that a run's directory holds the four files and nothing else, that the map refines the mesh, and that the
+/// T-mesh is one, of the same topology.
 void check_output(const std::string& directory, const std::string& mesh_file)
 {
-  int number_of_files = 0;
-  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(directory))
-    ++number_of_files;
-  CHECK(number_of_files == 3);
+  CHECK(files_of(directory) == std::set<std::string>{"map.obj", "report.html", "report.json", "t_mesh.ply"});
   CHECK(contains(file_content(directory + "/report.json"), "\"converged\": true"));
+  CHECK(contains(file_content(directory + "/report.json"), "\"status\": \"the map is exactly seamless\""));
   CHECK(contains(file_content(directory + "/report.html"), "</html>"));
 
   Mesh input, refined;
@@ -91,6 +119,11 @@ void check_output(const std::string& directory, const std::string& mesh_file)
   }
   CHECK(are_points_equal);
   CHECK(are_triangles_positive);
+  Test_t_mesh t_mesh;
+  REQUIRE(t_mesh.read(directory + "/t_mesh.ply").success());
+  CHECK(t_mesh.euler_characteristic()
+        == static_cast<long>(input.number_of_vertices()) - static_cast<long>(input.number_of_edges())
+             + static_cast<long>(input.number_of_faces()));
 }
 
 } // namespace
@@ -118,7 +151,13 @@ TEST_CASE("bad usage is refused with exit code 2")
     {"a.off --cones a.cones --loops 1,x", "--loops needs integers separated by commas"},
     {"a.off --loops 1,2", "--loops goes with --cones"},
     {"a.off --field a.rawfield --cones a.cones", "--field and --cones exclude each other"},
-    {"a.off --field a.rawfield --align-curvature 1", "--align-curvature is for the computed field"}};
+    {"a.off --field a.rawfield --align-curvature 1", "--align-curvature is for the computed field"},
+    {"--uv a.obj b.off", "--uv and a mesh exclude each other"},
+    {"--uv a.obj --map-only", "--uv and --map-only leave nothing to do"},
+    {"--uv a.obj --precision quad", "--precision does not go with --uv"},
+    {"--uv a.obj --cones a.cones", "--cones does not go with --uv"},
+    {"--uv", "--uv needs a value"},
+    {"a.off --no-regularization=1", "--no-regularization takes no value"}};
   for (const auto& [arguments, message] : cases) {
     const Program_run run(arguments);
     CAPTURE(arguments, run.errors);
@@ -219,10 +258,7 @@ TEST_CASE("a disk that is full leaves nothing behind")
   CHECK(run.exit_code == 1);
   CHECK(contains(run.errors, "cannot write " + directory.file("output")));
   CHECK(file_content(directory.file("output/map.obj")) == "old");
-  int number_of_files = 0;
-  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(directory.file("output")))
-    ++number_of_files;
-  CHECK(number_of_files == 1);
+  CHECK(files_of(directory.file("output")) == std::set<std::string>{"map.obj"});
 }
 
 TEST_CASE("an interrupted run has exit code 130 and leaves nothing behind")
@@ -236,7 +272,7 @@ TEST_CASE("an interrupted run has exit code 130 and leaves nothing behind")
   CHECK(run.exit_code == 130);
 }
 
-TEST_CASE("a good mesh gives the map and the report")
+TEST_CASE("a good mesh gives the map, the T-mesh and the report")
 {
   const Temporary_directory directory;
   const std::string cube = data + "good_meshes/cube.obj", output = directory.file("a/b");
@@ -246,6 +282,7 @@ TEST_CASE("a good mesh gives the map and the report")
   CHECK(contains(run.errors, "note: 6 of 6 faces are not triangles"));
   CHECK(contains(run.output, "8 vertices, 12 faces, genus 0"));
   CHECK(contains(run.output, "converged"));
+  CHECK(contains(run.output, "map.obj, t_mesh.ply, report.json and report.html in " + output));
   check_output(output, cube);
 
   // The page is self-contained: it names no other place. (The name space of SVG is a name.)
@@ -263,6 +300,101 @@ TEST_CASE("a good mesh gives the map and the report")
   check_output(output, cube);
 }
 
+TEST_CASE("--map-only ends with the map")
+{
+  const Temporary_directory directory;
+  const std::string output = directory.file("output");
+  const Program_run run("'" + data + "good_meshes/cube.obj' --map-only -o '" + output + "'");
+  CAPTURE(run.errors);
+  REQUIRE(run.exit_code == 0);
+  CHECK(files_of(output) == std::set<std::string>{"map.obj", "report.html", "report.json"});
+  CHECK_FALSE(contains(file_content(output + "/report.json"), "\"t_mesh\""));
+}
+
+TEST_CASE("a given map gives the T-mesh and the report")
+{
+  const Temporary_directory directory;
+  const std::string output = directory.file("output");
+  Cube_map(2).write(directory.file("cube.obj"));
+  for (const char* option : {"", "--no-regularization"}) {
+    const Program_run run("--uv '" + directory.file("cube.obj") + "' " + option + " -o '" + output + "'");
+    CAPTURE(run.errors, option);
+    REQUIRE(run.exit_code == 0);
+    CHECK(files_of(output) == std::set<std::string>{"report.html", "report.json", "t_mesh.ply"});
+    CHECK(contains(run.output, "8 cones (k = 3: 8)"));
+    CHECK(contains(run.output, "all scale factors are 1"));
+    const std::string report = file_content(output + "/report.json");
+    CHECK_FALSE(contains(report, "\"map\""));
+    CHECK(contains(report, "\"regularized\"") == std::string(option).empty());
+
+    // The T-mesh is the cube.
+    Test_t_mesh t_mesh;
+    REQUIRE(t_mesh.read(output + "/t_mesh.ply").success());
+    CHECK(t_mesh.mesh.number_of_faces() == 6);
+    CHECK(t_mesh.mesh.number_of_edges() == 12);
+    for (const auto h : t_mesh.mesh.halfedges()) {
+      CHECK(t_mesh.corners[h]);
+      CHECK(t_mesh.knots[h] == 1);
+    }
+    for (const auto v : t_mesh.mesh.vertices())
+      for (int d = 0; d < 3; ++d)
+        CHECK((t_mesh.mesh.point(v)[d] == 0 || t_mesh.mesh.point(v)[d] == 1));
+  }
+}
+
+TEST_CASE("a given map may have a border")
+{
+  const Temporary_directory directory;
+  Cube_map box(1);
+  box.corners.resize(box.corners.size() - 6); // without its lid
+  box.write(directory.file("box.obj"));
+  const Program_run run("--uv '" + directory.file("box.obj") + "' -o '" + directory.file("output") + "'");
+  CAPTURE(run.errors);
+  REQUIRE(run.exit_code == 0);
+  CHECK(contains(run.output, "8 vertices, 10 faces, genus 0"));
+  CHECK(contains(run.output, "4 cones (k = 3: 4)"));
+  Test_t_mesh t_mesh;
+  REQUIRE(t_mesh.read(directory.file("output/t_mesh.ply")).success());
+  CHECK(t_mesh.mesh.number_of_faces() == 5);
+  CHECK(t_mesh.euler_characteristic() == 1);
+}
+
+TEST_CASE("every kind of bad map is refused with its name and element, exit code 2, and nothing is written")
+{
+  using Edit = void (*)(Cube_map&);
+  const std::vector<std::pair<Edit, std::string>> cases = {
+    {[](Cube_map& map) { map.uv_is_missing = true; }, "a corner has no texture coordinates"},
+    {[](Cube_map& map) { map.corners[17].has_uv = false; }, "a corner has no texture coordinates (vertex 2, face 5"},
+    {[](Cube_map& map) { map.corners[4].u = NAN; }, "a coordinate is not a finite number: found \"nan\""},
+    {[](Cube_map& map) { std::swap(map.corners[9].u, map.corners[10].u), std::swap(map.corners[9].v, map.corners[10].v); },
+     "not positively oriented: 1 face, 3;"},
+    {[](Cube_map& map) { map.corners[9].u = map.corners[10].u, map.corners[9].v = map.corners[10].v; },
+     "triangles of area zero: 1 face, 3;"},
+    {[](Cube_map& map) { map.change_chart(2, [](double& u, double& v) { u += 0.3 * v; }); },
+     "the angle around a vertex is no multiple of a right angle: vertex "},
+    {[](Cube_map& map) { map.change_chart(2, [](double& u, double& v) { const double w = u; u = 0.6 * u - 0.8 * v, v = 0.8 * w + 0.6 * v; }); },
+     "the rotation across a seam is no multiple of a right angle: edge from vertex "},
+    {[](Cube_map& map) { map.change_chart(2, [](double& u, double&) { u = u == 0.5 ? 0.625 : u; }); },
+     "the transition across a seam is no similarity: edge from vertex "},
+    {[](Cube_map& map) { map.change_chart(2, [](double& u, double&) { u *= 2; }); },
+     "the scale factors around a vertex do not multiply to one: vertex "},
+    {[](Cube_map& map) { map.corners.resize(map.corners.size() - 3); }, "a border edge is not parallel to an axis: edge "}};
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const Temporary_directory directory;
+    const std::string file = directory.file("map.obj");
+    Cube_map map(2);
+    cases[i].first(map);
+    map.write(file);
+    const Program_run run = failing_run("--uv '" + file + "'");
+    CAPTURE(i, run.errors);
+    CHECK(run.exit_code == 2);
+    CHECK(contains(run.errors, file + ": "));
+    CHECK(contains(run.errors, cases[i].second));
+  }
+  CHECK(failing_run("--uv no_such_file.obj").exit_code == 2);
+  CHECK(contains(failing_run("--uv '" + tetrahedron + "'").errors, "the file format is not known"));
+}
+
 TEST_CASE("the page draws in a browser, where there is one")
 {
   const Temporary_directory directory;
@@ -277,8 +409,12 @@ TEST_CASE("the page draws in a browser, where there is one")
     return;
   }
   const std::string page = file_content(dom);
-  CHECK(contains(page, "<title>cube.obj: seamless similarity map</title>"));
-  CHECK(contains(page, "<span class=\"good\">converged</span>"));
+  CHECK(contains(page, "<title>cube.obj: T-mesh</title>"));
+  CHECK(contains(page, "<span class=\"good\">the map is exactly seamless</span>"));
+  CHECK(contains(page, "aspect ratio, worst"));
+  for (const char* name : {"none", "as traced", "regularized"})
+    CHECK(contains(page, "type=\"button\" aria-checked=\"" + std::string(name == std::string("regularized") ? "true" : "false")
+                           + "\">" + name + "</button>"));
   CHECK(contains(page, "k = 3, angle 270"));
   CHECK(contains(page, "<p id=\"message\" hidden=\"\"></p>")); // where it says why it cannot draw
   CHECK(contains(page, "aria-checked=\"true\""));                // the last thing that is set up

@@ -116,12 +116,85 @@ function mapQuality(measure) {
   return { mean: weighted / total, worst, flipped };
 }
 
-function showVerdict({ input, signature, map }) {
-  document.title = `${input.name}: seamless similarity map`;
+function showVerdict({ input, signature, map, exact_map, t_mesh }) {
+  document.title = `${input.name}: ${t_mesh ? "T-mesh" : "seamless similarity map"}`;
   document.getElementById("title").textContent = input.name;
-  document.getElementById("verdict").append(element("span", { class: map.converged ? "good" : "bad" }, map.status),
-    ["", `residual ${shortNumber(map.residual)}`, `${map.iterations} iterations`, `genus ${input.genus}`,
-     `${countText(signature.cones.length)} cones`].join("  ·  "));
+  const facts = [`genus ${input.genus}`, `${countText(signature.cones.length)} cones`];
+  if (map)
+    facts.unshift(`residual ${shortNumber(map.residual)}`, `${map.iterations} iterations`);
+  if (t_mesh) {
+    const final = t_mesh.regularized || t_mesh.traced;
+    facts.push(`${countText(final.faces)} T-mesh faces`, `aspect ratio at worst ${ratioText(final.worst_aspect_ratio)}`);
+  }
+  const status = exact_map ? exact_map.status : map.status;
+  document.getElementById("verdict").append(element("span", { class: "good" }, status), ["", ...facts].join("  ·  "));
+}
+
+function ratioText(x) {
+  if (x === null)
+    return "not finite";
+  return `1 : ${x < 9.95 ? x.toFixed(1) : x < 9999.5 ? countText(Math.round(x)) : x.toExponential(1).replace("+", "")}`;
+}
+
+// How many faces have an aspect ratio between two powers of two, before and after regularization; the last row is open.
+function aspectBars(stages) {
+  const last = 10, sum = numbers => numbers.reduce((a, b) => a + b, 0);
+  const histograms = stages.map(({ aspect_histogram: all }) => [...all.slice(0, last), sum(all.slice(last))]);
+  const most = Math.max(1, ...histograms.flat());
+  const bars = element("div", { class: "bars" });
+  for (let i = 0; i <= last; ++i) {
+    const counts = histograms.map(histogram => histogram[i] || 0);
+    if (counts.every(count => count === 0))
+      continue;
+    const pair = element("div", { class: "pair" }, ...counts.map((count, j) => element("div", {
+      class: `bar${j + 1 < counts.length ? " before" : ""}${count === 0 ? " none" : ""}`,
+      style: `width: ${(100 * count / most).toFixed(1)}%`
+    })));
+    const range = i < last ? `${2 ** i} to ${2 ** (i + 1)}` : `from ${2 ** i}`;
+    bars.append(element("span", {}, range), pair,
+      element("span", {}, counts.map(countText).join(" → ")));
+  }
+  return bars;
+}
+
+function aspectNote(hasTwoStages) {
+  const result = note("Faces by aspect ratio (longer over shorter side)");
+  if (hasTwoStages)
+    result.append(element("br"), element("span", { class: "key before" }), "as traced", element("span", { class: "key" }), "regularized");
+  return result;
+}
+
+function tMeshSection({ traced, regularized }) {
+  const stages = regularized ? [traced, regularized] : [traced];
+  const head = element("thead", {}, element("tr", {}, element("th", {}, ""),
+    ...["as traced", "regularized"].slice(0, stages.length).map(name => element("th", {}, name))));
+  const row = (name, text) => element("tr", {}, element("th", { scope: "row" }, name),
+    ...stages.map(stage => element("td", {}, text(stage))));
+  const rows = [
+    row("faces", stage => countText(stage.faces)), row("vertices", stage => countText(stage.vertices)),
+    row("T-joints", stage => countText(stage.t_joints)),
+    row("aspect ratio, worst", stage => ratioText(stage.worst_aspect_ratio)),
+    row("aspect ratio, median", stage => ratioText(stage.median_aspect_ratio))];
+  const joint = element("p", { class: "note" }, element("span", { class: "swatch joint" }),
+    "T-joints: vertices where a face goes straight on");
+  return section("T-mesh", element("table", { class: "columns" }, head, element("tbody", {}, ...rows)), joint,
+    aspectNote(stages.length > 1), aspectBars(stages));
+}
+
+function tracingSection({ tracing }) {
+  const { predicate_calls: calls, exact_predicate_calls: exact } = tracing;
+  const share = calls > 0 ? 100 * (calls - exact) / calls : 100;
+  return section("Motorcycles", table([
+    ["motorcycles", tracing.motorcycles], ["seeds off the cones", tracing.seeds], ["triangles crossed", tracing.crossed_faces],
+    ["predicate calls", countText(calls)], ["answered by the filter", `${share.toFixed(share > 99.9 && exact > 0 ? 4 : 2)} %`]]));
+}
+
+function exactMapSection(exact) {
+  const scales = exact.is_isometric ? "all exactly 1" : `${exact.scale_bits} bits where not 1`;
+  return section("Exact map", table([
+    ["cut edges", exact.cut_edges], ["branches of the cut", exact.branches], ["cones", exact.cones],
+    ["scale factors", scales], ["corners that are no doubles", exact.determined_corners],
+    ["largest displacement / side", exact.largest_displacement], ["deviation of the input", exact.deviation]]));
 }
 
 function conesSection(signature) {
@@ -151,14 +224,15 @@ function meshSection({ input, refined }, measure) {
 }
 
 function showFigures(report, measure) {
-  const { signature, map, refined } = report;
+  const { signature, map, refined, exact_map, t_mesh } = report;
   const memory = report.peak_memory_bytes ? `, ${(report.peak_memory_bytes / 2 ** 20).toFixed(0)} MB at most` : "";
   const loops = signature.loops.length ? `Turning numbers of the ${signature.loops.length} loops: ${signature.loops.join(", ")}.`
-                                       : "No loops: every closed curve is contractible.";
+              : report.input.genus > 0 ? "" : "No loops: every closed curve is contractible.";
   showVerdict(report);
   document.getElementById("figures").append(
-    conesSection(signature), convergenceSection(map),
+    ...(t_mesh ? [tMeshSection(t_mesh)] : []), conesSection(signature), ...(map ? [convergenceSection(map)] : []),
     section("Time", stageBars(report.stages), note(`${seconds(report.seconds)} in all${memory}`)),
-    meshSection(report, measure),
-    section("Transitions across the cut", refined.transitions.length ? scaleTable(refined.transitions) : note("No cut."), note(loops)));
+    ...(exact_map ? [exactMapSection(exact_map)] : []), ...(t_mesh ? [tracingSection(t_mesh)] : []), meshSection(report, measure),
+    section("Transitions across the cut", refined.transitions.length ? scaleTable(refined.transitions) : note("No cut."),
+      ...(loops ? [note(loops)] : [])));
 }

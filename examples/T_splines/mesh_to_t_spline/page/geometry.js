@@ -23,6 +23,23 @@ function readMesh() {
   };
 }
 
+// The T-mesh before and after regularization; null if there is none. sizes: the number of points of each polyline, one
+// per edge; joints: the T-joints, 3 coordinates each.
+function readTMesh(name) {
+  const points = new Float32Array(decode(`${name}_points`)), sizes = new Uint32Array(decode(`${name}_sizes`));
+  const joints = new Float32Array(decode(`${name}_joints`));
+  if (sizes.length === 0)
+    return null;
+  const segments = new Float32Array(6 * sizes.reduce((sum, size) => sum + size - 1, 0));
+  let point = 0, end = 0;
+  for (const size of sizes) {
+    for (let i = 1; i < size; ++i, point += 3, end += 6)
+      segments.set(points.subarray(point, point + 6), end);
+    point += 3;
+  }
+  return { segments, joints };
+}
+
 // Per triangle: area in space, area in the plane, dilatation (larger over smaller singular value), normal.
 function measureTriangles(mesh) {
   const { positions, uv, uvVertices, triangles } = mesh;

@@ -18,8 +18,29 @@ function scaleLegend(mode, range) {
     element("div", { class: "ticks" }, ...ticks.map(tick => element("span", {}, tick))));
 }
 
+// Radio buttons for what is drawn of the T-mesh. \return what marks the chosen one.
+function makeLayerControls(options, layers, refresh) {
+  const group = document.getElementById("layers");
+  group.hidden = layers.length === 0;
+  document.getElementById("layer_help").hidden = layers.length < 2;
+  const buttons = ["none", ...layers.map(layer => layer.name)].map((name, i) => {
+    const button = element("button", { role: "radio", type: "button" }, name);
+    button.addEventListener("click", () => { options.tMesh = i; refresh(); });
+    return button;
+  });
+  group.append(element("span", {}, "T-mesh"), ...buttons);
+  if (layers.length > 1)
+    document.getElementById("canvas").addEventListener("keydown", event => {
+      if (event.key === "t") {
+        options.tMesh = options.tMesh === 1 ? 2 : 1;
+        refresh();
+      }
+    });
+  return () => buttons.forEach((button, i) => button.setAttribute("aria-checked", String(i === options.tMesh)));
+}
+
 // Radio buttons for the views, check boxes for what is drawn on top; `changed` is called after each change.
-function makeControls(options, changed) {
+function makeControls(options, layers, changed) {
   const views = document.getElementById("views"), toggles = document.getElementById("toggles");
   const buttons = viewNames.map((name, mode) => {
     const button = element("button", { role: "radio", type: "button" }, name);
@@ -29,6 +50,7 @@ function makeControls(options, changed) {
   const refresh = () => {
     buttons.forEach((button, mode) => button.setAttribute("aria-checked", String(mode === options.mode)));
     size.parentElement.hidden = options.mode > 1;
+    markLayer();
     changed();
   };
   const check = (name, key) => {
@@ -42,8 +64,10 @@ function makeControls(options, changed) {
   wire.addEventListener("change", () => { options.wire = +wire.value; refresh(); });
   const size = element("input", { type: "range", min: -3, max: 3, step: 0.05, value: options.cellOctaves });
   size.addEventListener("input", () => { options.cellOctaves = +size.value; refresh(); });
+  const markLayer = makeLayerControls(options, layers, () => refresh());
   views.append(...buttons);
-  toggles.append(check("cones", "cones"), check("cut", "cut"), wire, element("label", {}, "cells", size));
+  toggles.append(check("cones", "cones"), ...(layers.length > 0 ? [check("T-joints", "joints")] : []), check("cut", "cut"),
+    wire, element("label", {}, "cells", size));
   refresh();
 }
 
@@ -125,11 +149,13 @@ function showTooltips(canvas, camera, aspect, cones, options) {
   });
 }
 
-// The part after # in the address presets the view, e.g. #view=2&wire=1.
+// The part after # in the address presets the view, e.g. #view=2&wire=1&t_mesh=1.
 function optionsFromAddress(options) {
   for (const [key, value] of new URLSearchParams(location.hash.slice(1)))
     if (key === "view")
       options.mode = Math.min(viewNames.length - 1, Math.max(0, +value || 0));
+    else if (key === "t_mesh")
+      options.tMesh = +value || 0;
     else if (key in options)
       options[key] = typeof options[key] === "boolean" ? value !== "0" : +value;
   return options;
@@ -138,9 +164,11 @@ function optionsFromAddress(options) {
 function start() {
   const report = JSON.parse(document.getElementById("report").textContent);
   const canvas = document.getElementById("canvas");
-  let mesh = null, measure = null, renderer = null, problem = null;
+  let mesh = null, tMeshes = null, measure = null, renderer = null, problem = null;
   try {
     mesh = readMesh();
+    tMeshes = [["as traced", readTMesh("traced")], ["regularized", readTMesh("regular")]].filter(([name, tMesh]) => tMesh)
+      .map(([name, tMesh]) => ({ name, ...tMesh }));
     measure = measureTriangles(mesh);
     renderer = new Renderer(canvas);
   }
@@ -160,11 +188,15 @@ function start() {
   const cones = report.signature.cones.map(cone => ({ ...cone, center: [...mesh.positions.subarray(3 * cone.vertex, 3 * cone.vertex + 3)] }));
   renderer.setSurface(buffers);
   renderer.setCut(cutSegments(mesh));
+  renderer.setTMeshes(tMeshes);
   renderer.setCones(new Float32Array(cones.flatMap(cone => cone.center)),
     new Float32Array(cones.flatMap(cone => colorComponents(coneColor(cone.quarter_turns)))));
 
-  const options = optionsFromAddress({ mode: 0, wire: 0, cut: true, cones: true, cellOctaves: 0,
-    coneRadius: Math.min(0.016, 0.09 * Math.sqrt(area / Math.max(40, cones.length))) });
+  const coneRadius = Math.min(0.016, 0.09 * Math.sqrt(area / Math.max(40, cones.length)));
+  const mostJoints = Math.max(40, ...tMeshes.map(tMesh => tMesh.joints.length / 3));
+  const options = optionsFromAddress({ mode: tMeshes.length > 0 ? 4 : 0, wire: 0, tMesh: tMeshes.length, cut: tMeshes.length === 0,
+    cones: true, joints: true, cellOctaves: 0, coneRadius,
+    jointRadius: Math.min(0.7 * coneRadius, 0.07 * Math.sqrt(area / mostJoints)) });
   const camera = new Camera(mesh), aspect = () => canvas.clientWidth / Math.max(1, canvas.clientHeight);
   camera.reset(aspect());
   let requested = false, touched = false;
@@ -173,7 +205,7 @@ function start() {
       requestAnimationFrame(() => { requested = false; renderer.draw(camera, options); });
     requested = true;
   };
-  makeControls(options, () => { scaleLegend(options.mode, buffers.scaleRange); redraw(); });
+  makeControls(options, tMeshes, () => { scaleLegend(options.mode, buffers.scaleRange); redraw(); });
   listen(canvas, camera, aspect, redraw);
   showTooltips(canvas, camera, aspect, cones, options);
   canvas.addEventListener("dblclick", event => {

@@ -2,6 +2,8 @@
 
 const coneColors = { 1: "#7b1fa2", 2: "#d81b60", 3: "#e53935", 5: "#1e66d0", 6: "#00a2a8", 7: "#2e9e44", 8: "#8bb021" };
 
+const jointColor = [1, 1, 1];
+
 function coneColor(k) { return coneColors[k] || (k < 1 ? "#000000" : "#f2b705"); }
 
 function colorComponents(hex) { return [1, 3, 5].map(i => parseInt(hex.slice(i, i + 2), 16) / 255); }
@@ -90,14 +92,25 @@ class Renderer {
     };
   }
 
-  setCut(segments) {
+  lines(segments) {
     const ends = { data: segments, size: 3, stride: 24, perInstance: true };
-    this.cut = { count: segments.length / 6, array: this.vertexArray([ends, { ...ends, offset: 12 }]) };
+    return { count: segments.length / 6, array: this.vertexArray([ends, { ...ends, offset: 12 }]) };
   }
 
-  setCones(centers, colors) {
+  setCut(segments) { this.cut = this.lines(segments); }
+
+  // Layers of lines with balls on them, of which one is drawn or none.
+  setTMeshes(tMeshes) {
+    this.tMeshes = tMeshes.map(({ segments, joints }) => ({
+      lines: this.lines(segments), joints: this.balls(joints, new Float32Array(joints.length).map((_, i) => jointColor[i % 3]))
+    }));
+  }
+
+  setCones(centers, colors) { this.cones = this.balls(centers, colors); }
+
+  balls(centers, colors) {
     const sphere = icosphere();
-    this.cones = {
+    return {
       count: centers.length / 3, corners: sphere.length / 3,
       array: this.vertexArray([
         { data: sphere, size: 3 }, { data: centers, size: 3, perInstance: true }, { data: colors, size: 3, perInstance: true }])
@@ -133,20 +146,30 @@ class Renderer {
     gl.bindVertexArray(this.surface.array);
     gl.drawArrays(gl.TRIANGLES, 0, this.surface.corners);
 
-    if (options.cut && this.cut.count > 0) {
+    const drawLines = (lines, thickness, color) => {
       const line = this.use(this.programs.line, camera, aspect);
       gl.uniform2f(line.viewport, width, height);
-      gl.uniform1f(line.thickness, 2.2 * ratio);
-      gl.uniform3f(line.lineColor, 0.84, 0.36, 0.05);
-      gl.bindVertexArray(this.cut.array);
-      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, this.cut.count);
-    }
-    if (options.cones && this.cones.count > 0) {
+      gl.uniform1f(line.thickness, thickness * ratio);
+      gl.uniform3f(line.lineColor, ...color);
+      gl.bindVertexArray(lines.array);
+      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, lines.count);
+    };
+    const drawBalls = (balls, radius, leastPixels) => {
       const cone = this.use(this.programs.cone, camera, aspect);
-      gl.uniform1f(cone.radius, options.coneRadius * Math.min(1, Math.pow(camera.distance / 4, 0.6)));
-      gl.bindVertexArray(this.cones.array);
-      gl.drawArraysInstanced(gl.TRIANGLES, 0, this.cones.corners, this.cones.count);
-    }
+      gl.uniform1f(cone.radius, radius * Math.min(1, Math.pow(camera.distance / 4, 0.6)));
+      gl.uniform1f(cone.leastRadius, 2 * leastPixels * ratio / height);
+      gl.bindVertexArray(balls.array);
+      gl.drawArraysInstanced(gl.TRIANGLES, 0, balls.corners, balls.count);
+    };
+    const tMesh = this.tMeshes[options.tMesh - 1];
+    if (options.cut && this.cut.count > 0)
+      drawLines(this.cut, 2.2, [0.84, 0.36, 0.05]);
+    if (tMesh)
+      drawLines(tMesh.lines, 1.7, [0.09, 0.13, 0.22]);
+    if (tMesh && options.joints && tMesh.joints.count > 0)
+      drawBalls(tMesh.joints, options.jointRadius, Math.min(2.6, Math.max(1.3, 80 / Math.sqrt(tMesh.joints.count))));
+    if (options.cones && this.cones.count > 0)
+      drawBalls(this.cones, options.coneRadius, 0);
     gl.bindVertexArray(null);
   }
 }

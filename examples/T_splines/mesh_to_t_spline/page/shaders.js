@@ -139,13 +139,16 @@ layout(location = 0) in vec3 direction;
 layout(location = 1) in vec3 center;
 layout(location = 2) in vec3 coneColor;
 uniform mat4 view, projection;
-uniform float radius;
+uniform float radius, leastRadius; // the latter as a share of half the height of the view
 out vec3 vPosition, vNormal, vColor;
 void main() {
-  vec4 p = view * vec4(center + radius * direction, 1.0);
+  float distance = -(view * vec4(center, 1.0)).z;
+  float r = max(radius, leastRadius * distance / projection[1][1]);
+  vec4 p = view * vec4(center + r * direction, 1.0);
   vPosition = p.xyz;
   vNormal = mat3(view) * direction;
   vColor = coneColor;
+  p.xyz *= 0.9975; // nearer than the lines
   gl_Position = projection * p;
 }`;
 

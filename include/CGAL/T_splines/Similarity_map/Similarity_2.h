@@ -87,12 +87,13 @@ private:
   std::pair<FT, FT> linear(const FT& u, const FT& v) const
   {
     switch (m_quarter_turns) {
-    case 0: return {m_scale * u, m_scale * v};
-    case 1: return {-m_scale * v, m_scale * u};
-    case 2: return {-m_scale * u, -m_scale * v};
-    default: return {m_scale * v, -m_scale * u};
+    case 0: return {scaled(u), scaled(v)};
+    case 1: return {-scaled(v), scaled(u)};
+    case 2: return {-scaled(u), -scaled(v)};
+    default: return {scaled(v), -scaled(u)};
     }
   }
+  FT scaled(const FT& x) const { return m_scale == FT(1) ? x : FT(m_scale * x); } // exact numbers multiply slowly
 
   int m_quarter_turns;
   FT m_scale, m_u, m_v;

@@ -11,6 +11,7 @@
 #include <boost/container_hash/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <unordered_map>
@@ -137,7 +138,7 @@ private:
     NT best_excess(0);
     for (const Converted_piece& piece : pieces) {
       const std::pair<NT, NT> image = piece.transition(point.u, point.v);
-      const NT e = (CGAL::max)(excess(image.first, piece.width), excess(image.second, piece.height));
+      const NT e = (std::max)(excess(image.first, piece.width), excess(image.second, piece.height));
       if (best != nullptr && !(e < best_excess))
         continue;
       best = &piece;

@@ -14,11 +14,11 @@ namespace T_splines {
 /// How the tracing of a motorcycle graph ended.
 enum class Motorcycle_graph_status {
   SUCCESS,
-  EMPTY_MAP,          ///< the map has no faces
-  INTERRUPTED,        ///< the visitor asked to stop
-  TRACE_LOST,         ///< a trace leaves a triangle nowhere: the map is not seamless, or the predicates are not exact
-  TRACE_WITHOUT_END,  ///< a trace does not end in spite of the seeds set in its way: the same
-  NO_T_MESH           ///< a face of the graph is no rectangle: the same
+  EMPTY_MAP,         ///< the map has no faces
+  INTERRUPTED,       ///< the visitor asked to stop
+  TRACE_LOST,        ///< a trace leaves a triangle nowhere: the map is not seamless, or the predicates are not exact
+  TRACE_WITHOUT_END, ///< a trace does not end in spite of the seeds set in its way: the same
+  NO_T_MESH          ///< a face of the graph is no rectangle: the same
 };
 
 /// returns a sentence that tells the status.
@@ -38,10 +38,10 @@ inline const char* message(const Motorcycle_graph_status status)
 /// What `trace_motorcycle_graph()` did.
 struct Motorcycle_graph_report {
   Motorcycle_graph_status status = Motorcycle_graph_status::SUCCESS;
-  std::size_t motorcycles = 0;  ///< rays that left cones, reflex corners and seeds
-  std::size_t seeds = 0;        ///< starts at regular places: on surfaces without cones, and where a trace would spiral
+  std::size_t motorcycles = 0; ///< rays that left cones, reflex corners and seeds
+  std::size_t seeds = 0;       ///< starts at regular places: on surfaces without cones, and where a trace would spiral
   std::size_t crossed_faces = 0; ///< triangles crossed by traces, counted once per crossing
-  std::size_t t_joints = 0;     ///< vertices of the T-mesh where a face goes straight on
+  std::size_t t_joints = 0;      ///< vertices of the T-mesh where a face goes straight on
   Predicate_statistics predicates;
 
   bool success() const { return status == Motorcycle_graph_status::SUCCESS; }

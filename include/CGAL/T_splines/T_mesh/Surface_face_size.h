@@ -81,47 +81,52 @@ public:
   std::pair<double, double> operator()(const face_descriptor f) const
   {
     const double width = CGAL::to_double(m_coordinates.width(f)), height = CGAL::to_double(m_coordinates.height(f));
-    const auto found = m_units.find(f);
-    const std::array<double, 2> units = found != m_units.end() ? found->second : measured(f, width, height);
-    return {units[0] * width, units[1] * height};
+    const std::array<double, 2> lengths = units(f);
+    return {lengths[0] * width, lengths[1] * height};
   }
 
 private:
-  // Below this number of points, those of an old face say more.
-  static constexpr std::size_t enough_points = 9;
+  using Fit = internal::Metric_fit;
 
-  std::array<double, 2> measured(const face_descriptor f, const double width, const double height) const
+  Fit::Result measured(const face_descriptor f) const
   {
-    std::vector<internal::Metric_fit::Sample> samples;
+    std::vector<Fit::Sample> samples;
     for (const auto& p : m_points->points(f))
       samples.push_back({CGAL::to_double(p.u), CGAL::to_double(p.v),
                          {CGAL::to_double(p.payload.x()), CGAL::to_double(p.payload.y()),
                           CGAL::to_double(p.payload.z())}});
-    return internal::Metric_fit::lengths(std::move(samples), width, height);
+    return Fit::fit(std::move(samples));
+  }
+
+  // The lengths of a unit step along u and of one along v.
+  std::array<double, 2> units(const face_descriptor f) const
+  {
+    const auto found = m_units.find(f);
+    return found != m_units.end() ? found->second : measured(f).lengths;
   }
 
   template <typename FT>
   void replace_faces(const std::vector<T_mesh_piece<TMesh, FT>>& pieces)
   {
-    // What is known of an old face holds for each new one; where several old ones meet, the first.
-    std::vector<std::pair<face_descriptor, std::array<double, 2>>> inherited;
+    // What is known of an old face holds for each new one; where several old ones meet, of the first.
+    std::vector<std::array<double, 2>> inherited;
     for (const T_mesh_piece<TMesh, FT>& piece : pieces) {
-      std::array<double, 2> units = this->units(piece.from);
+      std::array<double, 2> lengths = units(piece.from);
       if (piece.transition.quarter_turns() % 2 == 1)
-        std::swap(units[0], units[1]);
+        std::swap(lengths[0], lengths[1]);
       const double scale = CGAL::to_double(piece.transition.scale());
-      inherited.push_back({piece.to, {units[0] / scale, units[1] / scale}});
+      inherited.push_back({lengths[0] / scale, lengths[1] / scale});
     }
     m_points->replace_faces(pieces);
-    for (const T_mesh_piece<TMesh, FT>& piece : pieces) {
+    for (const T_mesh_piece<TMesh, FT>& piece : pieces)
       m_units.erase(piece.from);
-      m_rectangles.erase(piece.from);
-    }
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      const face_descriptor f = pieces[i].to;
-      m_rectangles[f] = {CGAL::to_double(pieces[i].width), CGAL::to_double(pieces[i].height)};
-      if (m_points->points(f).size() < enough_points)
-        m_units.insert(inherited[i]);
+      const auto inserted = m_units.emplace(pieces[i].to, inherited[i]);
+      if (!inserted.second)
+        continue;
+      const Fit::Result fit = measured(pieces[i].to);
+      if (fit.is_measured || !(inherited[i][0] > 0))
+        inserted.first->second = fit.lengths;
     }
   }
 

@@ -16,6 +16,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -204,7 +205,7 @@ public:
     if (status != T_mesh_edit_status::DONE)
       return {status};
     const Overlap o = overlap(h);
-    const FT eps = tolerance((CGAL::max)(o.side_length, FT(o.scale * o.opposite_side_length)));
+    const FT eps = tolerance((std::max)(o.side_length, FT(o.scale * o.opposite_side_length)));
     const FT length = o.end - o.begin;
     const bool at_first = CGAL::abs(from) <= eps, at_last = CGAL::abs(FT(to - length)) <= eps;
     if (!(from >= FT(0) || at_first) || !(to <= length || at_last) || !(to - from > eps + eps) ||

@@ -27,8 +27,7 @@ struct T_mesh_place {
 /// The part of the surface that the face covers follows by crossing edges inside the face.
 template <typename TriangleMesh, typename FT>
 struct T_mesh_anchor {
-  typename boost::graph_traits<TriangleMesh>::face_descriptor triangle =
-    boost::graph_traits<TriangleMesh>::null_face();
+  typename boost::graph_traits<TriangleMesh>::face_descriptor triangle = boost::graph_traits<TriangleMesh>::null_face();
   Similarity_2<FT> to_face;
 };
 

@@ -64,7 +64,8 @@ public:
   CGAL::Orientation orientation(const Point& p, const Point& q, const Point& r) const
   {
     ++m_statistics.calls;
-    const Estimate a = difference(q.u, p.u), b = difference(q.v, p.v), c = difference(r.u, p.u), d = difference(r.v, p.v);
+    const Estimate a = difference(q.u, p.u), b = difference(q.v, p.v), c = difference(r.u, p.u),
+                   d = difference(r.v, p.v);
     const Estimate ad = product(a, d), bc = product(b, c);
     const double determinant = ad.value - bc.value;
     const double error = (ad.error + bc.error) * (1 + 8 * unit) + unit * std::abs(determinant);
@@ -124,8 +125,8 @@ public:
   CGAL::Orientation orientation(const Point& p, const Point& q, const Point& r) const
   {
     ++m_statistics.calls;
-    return CGAL::sign((q.u.lower - p.u.lower) * (r.v.lower - p.v.lower)
-                      - (q.v.lower - p.v.lower) * (r.u.lower - p.u.lower));
+    return CGAL::sign((q.u.lower - p.u.lower) * (r.v.lower - p.v.lower) -
+                      (q.v.lower - p.v.lower) * (r.u.lower - p.u.lower));
   }
 
   const Predicate_statistics& statistics() const { return m_statistics; }
@@ -137,7 +138,7 @@ private:
 /// The tracing traits for a map whose transitions have the number type `FT`.
 template <typename FT>
 using Default_tracing_traits =
-  std::conditional_t<std::is_floating_point<FT>::value, Inexact_tracing_traits, Exact_tracing_traits<FT>>;
+    std::conditional_t<std::is_floating_point<FT>::value, Inexact_tracing_traits, Exact_tracing_traits<FT>>;
 
 } // namespace T_splines
 } // namespace CGAL

@@ -15,6 +15,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace CGAL {
@@ -129,7 +130,7 @@ private:
     if constexpr (is_exact_number_type<FT>)
       return a == b;
     else
-      return CGAL::abs(FT(a - b)) <= FT(m_tolerance) * (CGAL::max)(a, b);
+      return CGAL::abs(FT(a - b)) <= FT(m_tolerance) * (std::max)(a, b);
   }
 
   const TMesh& m_t_mesh;

@@ -65,10 +65,11 @@ bool place_T_mesh(const Seamless_map<TriangleMesh, FT>& map, TMesh& t_mesh, cons
     }
   };
   const std::vector<Point> points = internal::points_in_doubles(
-    map.indexing(), choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                     get_const_property_map(CGAL::vertex_point, map.mesh())));
-  internal::T_mesh_placement<TriangleMesh, FT, TMesh, HalfedgeKnotMap, HalfedgeCornerMap, std::decay_t<decltype(traits)>>
-    placement(map, points, t_mesh, knots, corners, traits);
+      map.indexing(), choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                       get_const_property_map(CGAL::vertex_point, map.mesh())));
+  internal::T_mesh_placement<TriangleMesh, FT, TMesh, HalfedgeKnotMap, HalfedgeCornerMap,
+                             std::decay_t<decltype(traits)>>
+      placement(map, points, t_mesh, knots, corners, traits);
   for (const auto& root : roots.roots())
     if (!placement.place(root, found_vertex, found_edge))
       return false;

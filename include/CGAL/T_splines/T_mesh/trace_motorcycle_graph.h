@@ -57,9 +57,9 @@ void write_motorcycle_graph_details(const Seamless_map<TriangleMesh, FT>& map,
     writer.put_anchors(map.layout(), map.indexing(), tracer.traces(), arcs, anchors);
   const auto places = get_parameter(np, np_tags::vertex_place_map);
   if constexpr (!is_missing<decltype(places)>)
-    writer.put_places(map.layout(), map.indexing(),
-                      Cell_places<FT, TracingTraits>(map.layout(), tracer.stars(), tracer.traces(), arcs, cells, traits),
-                      places);
+    writer.put_places(
+        map.layout(), map.indexing(),
+        Cell_places<FT, TracingTraits>(map.layout(), tracer.stars(), tracer.traces(), arcs, cells, traits), places);
 }
 
 } // namespace internal
@@ -118,8 +118,8 @@ Motorcycle_graph_report trace_motorcycle_graph(const Seamless_map<TriangleMesh, 
     return report;
   }
   const std::vector<std::array<double, 3>> points = internal::points_in_doubles(
-    map.indexing(), choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                     get_const_property_map(CGAL::vertex_point, map.mesh())));
+      map.indexing(), choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                       get_const_property_map(CGAL::vertex_point, map.mesh())));
   visitor.begin_stage("tracing");
   internal::Motorcycle_tracer<FT, Tracing_traits> tracer(layout, points, traits);
   report.status = tracer.trace(visitor);

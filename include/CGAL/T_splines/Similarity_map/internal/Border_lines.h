@@ -23,8 +23,8 @@ namespace internal {
 /// The isolines on which the border of a map lies.
 ///
 /// Each loop of the border is gone around with the surface on the right, so that one passes the sectors of a vertex
-/// counter-clockwise. Between two vertices whose angle is an odd number of right angles the border lies on one line, the
-/// value of which changes by the transitions of the cut edges that end on it.
+/// counter-clockwise. Between two vertices whose angle is an odd number of right angles the border lies on one line,
+/// the value of which changes by the transitions of the cut edges that end on it.
 class Border_lines {
   using Index = Triangulation_connectivity::Index;
 
@@ -77,7 +77,8 @@ public:
         const std::array<double, 2>&p = m_uv[m_mesh.previous(h)], &q = m_uv[h];
         const double du = std::abs(p[0] - q[0]), dv = std::abs(p[1] - q[1]);
         const double angle = std::atan2(std::min(du, dv), std::max(du, dv));
-        const double allowed = tolerance * (1 + std::max(largest_coordinate(p), largest_coordinate(q)) / distance(p, q));
+        const double size = std::max(largest_coordinate(p), largest_coordinate(q));
+        const double allowed = tolerance * (1 + size / distance(p, q));
         if (!(angle <= std::min(allowed, largest_uncertainty)))
           return {h, angle};
       }
@@ -87,7 +88,8 @@ public:
   /// Whether a loop has a vertex whose angle is an odd number of right angles.
   bool has_corner(const std::size_t loop, const std::vector<int>& quarter_turns) const
   {
-    return std::any_of(m_loops[loop].begin(), m_loops[loop].end(), [&](const int i) { return quarter_turns[i] % 2 != 0; });
+    return std::any_of(m_loops[loop].begin(), m_loops[loop].end(),
+                       [&](const int i) { return quarter_turns[i] % 2 != 0; });
   }
 
   /// The axis along which the first edge of a loop has one coordinate: its border edge behind the first vertex.
@@ -100,11 +102,12 @@ public:
   /// \return a loop without corners whose line the transitions around it do not map to itself, or -1
   template <typename FT, typename Transition_of>
   int compute(const Transition_of& transition, const std::vector<int>& quarter_turns, const std::vector<int>& kept,
-               std::vector<std::pair<FT, FT>>& start) const
+              std::vector<std::pair<FT, FT>>& start) const
   {
     int open_loop = -1;
     for (const std::vector<int>& loop : m_loops) {
-      const auto corner = std::find_if(loop.begin(), loop.end(), [&](const int i) { return quarter_turns[i] % 2 != 0; });
+      const auto corner =
+          std::find_if(loop.begin(), loop.end(), [&](const int i) { return quarter_turns[i] % 2 != 0; });
       const std::size_t n = loop.size(), first = corner == loop.end() ? 0 : corner - loop.begin();
       std::vector<Line<FT>> line(n, Line<FT>{0, FT(0)}); // per vertex: of the edge behind it, in its first sector
       for (std::size_t begin = 0, end; begin < n; begin = end) {

@@ -88,7 +88,9 @@ public:
     std::pair<double, Index> worst(0, m_graph->halfedge(m_branch, 0));
     for_each_point([&](const Number& here, const Number& there, const Index h) {
       const Number d = there - (here.turned(m_quarter_turns) * scale + translation);
-      worst = std::max(worst, {std::sqrt(d.squared_norm()) / std::max(m_size_there, m_scale * m_size_here), h});
+      const double deviation = std::sqrt(d.squared_norm()) / std::max(m_size_there, m_scale * m_size_here);
+      if (!(deviation <= worst.first) && !std::isnan(worst.first)) // what is not a number is worst
+        worst = {deviation, h};
     });
     return worst;
   }

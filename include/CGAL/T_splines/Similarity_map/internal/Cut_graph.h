@@ -19,10 +19,10 @@ namespace internal {
 struct Cut_sectors {
   using Index = Triangulation_connectivity::Index;
 
-  std::vector<Index> vertices;     ///< on the cut or on the border
-  std::vector<int> first_sector;   ///< per entry of `vertices`, and one behind
-  std::vector<Index> halfedge;     ///< per sector, counter-clockwise around each vertex, from the border if there is one
-  std::vector<char> is_on_border;  ///< per entry of `vertices`
+  std::vector<Index> vertices;    ///< on the cut or on the border
+  std::vector<int> first_sector;  ///< per entry of `vertices`, and one behind
+  std::vector<Index> halfedge;    ///< per sector, counter-clockwise around each vertex, from the border if it has one
+  std::vector<char> is_on_border; ///< per entry of `vertices`
 
   /// \param is_cut per edge
   Cut_sectors(const Triangulation_connectivity& mesh, const std::vector<char>& is_cut) : first_sector(1, 0)

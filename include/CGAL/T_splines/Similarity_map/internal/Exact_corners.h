@@ -14,6 +14,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/uv_orientation.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
+#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -35,8 +36,8 @@ struct Cut_map {
   const Cut_sectors& sectors;
   const Border_lines& border;
   const Cut_graph& graph;
-  const std::vector<Branch_fit>& fits;    ///< per branch
-  const std::vector<int>& quarter_turns;  ///< per cut vertex
+  const std::vector<Branch_fit>& fits;   ///< per branch
+  const std::vector<int>& quarter_turns; ///< per cut vertex
 
   /// Calls `visit(h)` for the halfedges that point to the `i`-th cut vertex inside its `k`-th sector.
   template <typename Visit>
@@ -65,35 +66,31 @@ public:
 
   /// Whether, as far as doubles tell, no triangle changes its area by more than a factor 2, and no corner moves by more
   /// than an eighth of the longest side of its triangle.
-  template <typename FT>
-  bool is_harmless(const Exact_transitions<FT>& transitions) const
+  bool is_harmless(const Exact_transitions<double>& transitions)
   {
     std::vector<Similarity_2<double>> along, against;
     for (int b = 0; b < m_map.graph.number_of_branches(); ++b) {
-      const Similarity_2<FT> t = transitions.transition(b);
-      const double scale = CGAL::to_double(t.scale());
-      if (!(scale > 0) || !std::isfinite(scale))
-        return false;
-      along.emplace_back(t.quarter_turns(), scale, CGAL::to_double(t.u()), CGAL::to_double(t.v()));
+      along.push_back(transitions.transition(b));
       against.push_back(along.back().inverse());
     }
-    Uv_array uv = m_map.uv;
+    if (m_trial.empty())
+      m_trial = m_map.uv;
     compute<double>(
         [&](const Index h) -> const Similarity_2<double>& {
           return (m_map.graph.is_along(h) ? along : against)[m_map.graph.branch_of_edge(h >> 1)];
         },
         [&](const int i, const int k, const std::pair<double, double>& value) {
-          m_map.for_each_corner(i, k, [&](const Index h) { uv[h] = {{value.first, value.second}}; });
+          m_map.for_each_corner(i, k, [&](const Index h) { m_trial[h] = {{value.first, value.second}}; });
         });
     return std::all_of(m_faces.begin(), m_faces.end(), [&](const int f) {
       const Index h = m_map.mesh.halfedge_of_face(f);
-      const double before = double_area(m_map.uv, h), after = double_area(uv, h);
-      return after >= before / 2 && after <= before * 2 && displacement(f, uv) <= 0.125;
+      const double before = double_area(m_map.uv, h), after = double_area(m_trial, h);
+      return after >= before / 2 && after <= before * 2 && displacement(f, m_trial) <= 0.125;
     });
   }
 
   /// Writes branches and corners to a layout that has the coordinates in doubles.
-  /// \return a loop of the border that the transitions do not close, or -1
+  /// \return a loop of the border that the transitions do not close exactly, or -1; always -1 if `FT` is not exact
   template <typename FT>
   int write(const Exact_transitions<FT>& transitions, Seamless_layout<FT>& layout) const
   {
@@ -103,10 +100,10 @@ public:
       for (int i = 0; i < m_map.graph.length(b); ++i)
         layout.set_branch(m_map.graph.halfedge(b, i), b);
     }
-    return compute<FT>([&layout](const Index h) -> const Similarity_2<FT>& { return layout.transition(h); },
-                       [&](const int i, const int k, const std::pair<FT, FT>& value) {
-                         write_sector(i, k, value, layout);
-                       });
+    const int open_loop = compute<FT>(
+        [&layout](const Index h) -> const Similarity_2<FT>& { return layout.transition(h); },
+        [&](const int i, const int k, const std::pair<FT, FT>& value) { write_sector(i, k, value, layout); });
+    return CGAL::Algebraic_structure_traits<FT>::Is_exact::value ? open_loop : -1;
   }
 
   /// The faces that are not positively oriented in a layout.
@@ -120,9 +117,8 @@ public:
     return result;
   }
 
-  /// How far the corners of a face move, by its longest side. \param uv function object or array: halfedge -> corner
-  template <typename Uv>
-  double displacement(const int f, const Uv& uv) const
+  /// How far the corners of a face move, by its longest side. \param uv where to, per halfedge
+  double displacement(const int f, const Uv_array& uv) const
   {
     Index h = m_map.mesh.halfedge_of_face(f);
     double moved = 0, side = 0;
@@ -196,9 +192,8 @@ private:
     std::vector<std::pair<FT, FT>> values;
     for (int i = 0; i < sectors.number_of_vertices(); ++i) {
       const Index h = m_map.mesh.previous(sectors.halfedge[sectors.first_sector[i] + std::max(m_kept[i], 0)]);
-      const std::pair<FT, FT> start = sectors.is_on_border[i]
-                                          ? border_start[i]
-                                          : std::pair<FT, FT>(FT(m_map.uv[h][0]), FT(m_map.uv[h][1]));
+      const std::pair<FT, FT> start =
+          sectors.is_on_border[i] ? border_start[i] : std::pair<FT, FT>(FT(m_map.uv[h][0]), FT(m_map.uv[h][1]));
       const bool is_closed = compute_sector_values(sectors, i, transition, m_kept[i], start, values);
       CGAL_assertion(is_closed || !CGAL::Algebraic_structure_traits<FT>::Is_exact::value);
       CGAL_USE(is_closed);
@@ -226,6 +221,7 @@ private:
   const Cut_map& m_map;
   std::vector<int> m_kept;  // per cut vertex, a sector or `fixed_point`
   std::vector<int> m_faces; // sorted
+  Uv_array m_trial;         // per halfedge
 };
 
 } // namespace internal

@@ -15,6 +15,8 @@
 #include <CGAL/T_splines/Similarity_map/internal/uv_orientation.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
+#include <CGAL/Algebraic_structure_traits.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -116,13 +118,15 @@ private:
     }
     if (m_figures.faces.empty())
       return true;
-    return fail(is_flipped ? Exact_map_status::FLIPPED_TRIANGLES : Exact_map_status::DEGENERATE_TRIANGLES, none, none, 0);
+    return fail(is_flipped ? Exact_map_status::FLIPPED_TRIANGLES : Exact_map_status::DEGENERATE_TRIANGLES, none, none,
+                0);
   }
 
   bool check_border(const Border_lines& border)
   {
     const std::pair<Index, double> oblique = border.first_oblique_edge(m_tolerance);
-    return oblique.first == m_mesh.null || fail(Exact_map_status::BORDER_NOT_ALIGNED, none, oblique.first, oblique.second);
+    return oblique.first == m_mesh.null ||
+           fail(Exact_map_status::BORDER_NOT_ALIGNED, none, oblique.first, oblique.second);
   }
 
   // The angles around cut vertices must be multiples of a right angle, up to what the tolerance makes of short edges.
@@ -164,7 +168,7 @@ private:
         result.push_back(kind_of_loop(map, uncertainty, node));
       else
         result.push_back(map.quarter_turns[map.graph.cut_vertex(node)] % 4 == 0 ? Cut_node_kind::IDENTITY
-                                                                              : Cut_node_kind::ROTATION);
+                                                                                : Cut_node_kind::ROTATION);
     }
     return result;
   }
@@ -201,7 +205,7 @@ private:
             std::abs(rotation.first) > std::min(fit.rotation_uncertainty(h, m_tolerance), largest_uncertainty))
           return fail(Exact_map_status::TRANSITION_ROTATION, none, h, std::abs(rotation.first));
       }
-      if (!(fit.deviation() <= m_tolerance))
+      if (!(fit.scale() > 0) || !std::isfinite(fit.scale()) || !(fit.deviation() <= m_tolerance))
         return fail(Exact_map_status::TRANSITION_NOT_SIMILAR, none, fit.worst_halfedge(), fit.deviation());
       m_figures.deviation = std::max(m_figures.deviation, fit.deviation());
     }
@@ -254,16 +258,20 @@ private:
   // Scale factors get more bits until no triangle changes much.
   bool make_exact(const Cut_map& map, const std::vector<Cut_node_kind>& kinds, const std::vector<double>& uncertainty)
   {
-    const Exact_corners corners(map);
+    Exact_corners corners(map);
+    Exact_transitions<double> trial(map.graph, map.fits, kinds, uncertainty);
     Exact_transitions<FT> transitions(map.graph, map.fits, kinds, uncertainty);
     m_figures.is_isometric = transitions.is_isometric();
     m_layout = Seamless_layout<FT>(m_mesh, m_uv);
     constexpr int first = 8, step = 4, last = 53;
     for (int bits = m_figures.is_isometric ? last : first;; bits = std::min(bits + step, last)) {
       m_figures.scale_bits = m_figures.is_isometric ? 0 : bits;
+      if (bits < last) {
+        trial.compute(bits);
+        if (!corners.is_harmless(trial))
+          continue;
+      }
       transitions.compute(bits);
-      if (bits < last && !corners.is_harmless(transitions))
-        continue;
       const int open_loop = corners.write(transitions, m_layout);
       if (open_loop != -1)
         return fail(Exact_map_status::BORDER_NOT_CLOSED, map.sectors.vertices[map.border.loops()[open_loop].front()],
@@ -278,13 +286,16 @@ private:
     return m_figures.faces.empty() || fail(Exact_map_status::ORIENTATION_LOST, none, none, 0);
   }
 
-  // The exact count must be what the angles were taken for.
+  // The exact count must be what the angles were taken for. With round-off, edges may be off the axes: angles count.
   bool check_quarter_turns(const Cut_sectors& sectors, const std::vector<int>& quarter_turns)
   {
-    const std::vector<int> counted = count_quarter_turns(m_layout);
-    for (int i = 0; i < sectors.number_of_vertices(); ++i)
-      if (counted[sectors.vertices[i]] != quarter_turns[i])
-        return fail(Exact_map_status::CONE_ANGLE, sectors.vertices[i], none, 0);
+    std::vector<int> counted = count_quarter_turns(m_layout);
+    for (int i = 0; i < sectors.number_of_vertices(); ++i) {
+      const Index v = sectors.vertices[i];
+      if (CGAL::Algebraic_structure_traits<FT>::Is_exact::value && counted[v] != quarter_turns[i])
+        return fail(Exact_map_status::CONE_ANGLE, v, none, 0);
+      counted[v] = quarter_turns[i];
+    }
     for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
       m_layout.set_quarter_turns(v, counted[v]);
     return true;

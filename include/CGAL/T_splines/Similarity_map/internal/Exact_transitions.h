@@ -36,8 +36,8 @@ enum class Cut_node_kind : char {
 
 /// Exact transitions of the branches of a cut, near those that fit them in doubles.
 ///
-/// Scale factors and translations are chosen on the branches outside a spanning forest of the cut graph, and follow from
-/// the equations at the nodes on those of the forest, by exact operations.
+/// Scale factors and translations are chosen on the branches outside a spanning forest of the cut graph, and follow
+/// from the equations at the nodes on those of the forest, by exact operations.
 /// \tparam FT the number type
 template <typename FT>
 class Exact_transitions {
@@ -352,8 +352,8 @@ private:
   const std::vector<Cut_node_kind>& m_kind;
   Cut_forest m_scale_forest, m_translation_forest;
   std::vector<double> m_free_scale; // per branch: 1, or the factor greater than 1, negative if the inverse is meant
-  std::vector<FT> m_scale, m_inverse_scale; // per branch
-  std::vector<Number> m_translation;        // per branch
+  std::vector<FT> m_scale, m_inverse_scale;             // per branch
+  std::vector<Number> m_translation;                    // per branch
   std::vector<std::vector<Coefficient>> m_coefficients; // per node
   bool m_is_isometric = true;
 };

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_REFINED_MESH_WRITER_H
 
 #include <CGAL/T_splines/Similarity_map/internal/Refined_triangulation.h>
+#include <CGAL/T_splines/internal/Face_graph_writer.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 
 #include <CGAL/Polygon_mesh_processing/locate.h>
@@ -14,7 +15,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
-#include <cstddef>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -35,42 +35,30 @@ public:
   using face_descriptor = typename Traits::face_descriptor;
 
   /// \pre `mesh` is empty.
-  Refined_mesh_writer(const Refined_triangulation& refined, RefinedMesh& mesh) : m_refined(refined), m_mesh(mesh)
+  Refined_mesh_writer(const Refined_triangulation& refined, RefinedMesh& mesh)
+    : m_refined(refined),
+      m_mesh(mesh),
+      m_writer(mesh, refined.mesh.number_of_vertices(), refined.mesh.number_of_edges(), refined.mesh.number_of_faces())
   {
     const Triangulation_connectivity& from = refined.mesh;
-    CGAL_precondition_msg(CGAL::is_empty(mesh),
-                          "the mesh to write must be empty: clear() would take its property maps away");
-    reserve(mesh, from.number_of_vertices(), from.number_of_edges(), from.number_of_faces());
-    for (int v = 0; v < from.number_of_vertices(); ++v)
-      m_vertices.push_back(add_vertex(mesh));
-    for (int e = 0; e < from.number_of_edges(); ++e) {
-      m_halfedges.push_back(halfedge(add_edge(mesh), mesh));
-      m_halfedges.push_back(opposite(m_halfedges.back(), mesh));
-    }
-    for (int f = 0; f < from.number_of_faces(); ++f) {
-      m_faces.push_back(add_face(mesh));
-      set_halfedge(m_faces.back(), m_halfedges[from.halfedge_of_face(f)], mesh);
-    }
-    for (int h = 0; h < from.number_of_halfedges(); ++h) {
-      set_next(m_halfedges[h], m_halfedges[from.next(h)], mesh);
-      set_face(m_halfedges[h], m_faces[from.face(h)], mesh);
-      set_target(m_halfedges[h], m_vertices[from.target(h)], mesh);
-      set_halfedge(m_vertices[from.target(h)], m_halfedges[h], mesh);
-    }
+    for (int h = 0; h < from.number_of_halfedges(); ++h)
+      m_writer.join(h, from.next(h), from.target(h), from.face(h));
+    for (int f = 0; f < from.number_of_faces(); ++f)
+      m_writer.set_halfedge_of_face(f, from.halfedge_of_face(f));
   }
 
-  halfedge_descriptor halfedge_of(const int h) const { return m_halfedges[h]; }
+  halfedge_descriptor halfedge_of(const int h) const { return m_writer.halfedge(h); }
 
   /// writes the points: those of the input's vertices are copied from its own map.
   template <typename TriangleMesh, typename InputPointMap, typename OutputPointMap>
   void put_points(const Mesh_indexing<TriangleMesh>& indexing, const InputPointMap& from, OutputPointMap to) const
   {
     using Point_3 = typename boost::property_traits<OutputPointMap>::value_type;
-    for (std::size_t v = 0; v < m_vertices.size(); ++v) {
-      if (static_cast<int>(v) < indexing.number_of_vertices())
-        put(to, m_vertices[v], copy<Point_3>(get(from, indexing.vertex(static_cast<int>(v)))));
+    for (int v = 0; v < m_refined.mesh.number_of_vertices(); ++v) {
+      if (v < indexing.number_of_vertices())
+        put(to, m_writer.vertex(v), copy<Point_3>(get(from, indexing.vertex(v))));
       else
-        put(to, m_vertices[v], Point_3(m_refined.point[v][0], m_refined.point[v][1], m_refined.point[v][2]));
+        put(to, m_writer.vertex(v), Point_3(m_refined.point[v][0], m_refined.point[v][1], m_refined.point[v][2]));
     }
   }
 
@@ -78,8 +66,8 @@ public:
   void put_uv(HalfedgeUVMap map) const
   {
     using Point_2 = typename boost::property_traits<HalfedgeUVMap>::value_type;
-    for (std::size_t h = 0; h < m_halfedges.size(); ++h)
-      put(map, m_halfedges[h], Point_2(m_refined.uv[h][0], m_refined.uv[h][1]));
+    for (int h = 0; h < m_refined.mesh.number_of_halfedges(); ++h)
+      put(map, m_writer.halfedge(h), Point_2(m_refined.uv[h][0], m_refined.uv[h][1]));
   }
 
   /// writes each vertex's place on the input as a face and barycentric coordinates (`Face_location` of Polygon Mesh
@@ -90,7 +78,7 @@ public:
   {
     using Location = typename boost::property_traits<VertexLocationMap>::value_type;
     const std::vector<int> outgoing = input.outgoing_halfedges();
-    for (std::size_t v = 0; v < m_vertices.size(); ++v) {
+    for (int v = 0; v < m_refined.mesh.number_of_vertices(); ++v) {
       const Input_place& place = m_refined.place[v];
       int f = 0;
       std::array<double, 3>
@@ -117,7 +105,7 @@ public:
       Location location;
       location.first = indexing.face(f);
       location.second = {{weight[0], weight[1], weight[2]}};
-      put(map, m_vertices[v], location);
+      put(map, m_writer.vertex(v), location);
     }
   }
 
@@ -125,8 +113,8 @@ public:
   template <typename EdgeIsCutMap>
   void put_cut(const std::vector<char>& is_cut, EdgeIsCutMap map) const
   {
-    for (std::size_t e = 0; e < is_cut.size(); ++e)
-      put(map, edge(m_halfedges[2 * e], m_mesh), is_cut[e] != 0);
+    for (int e = 0; e < m_refined.mesh.number_of_edges(); ++e)
+      put(map, edge(m_writer.halfedge(2 * e), m_mesh), is_cut[e] != 0);
   }
 
 private:
@@ -141,9 +129,7 @@ private:
 
   const Refined_triangulation& m_refined;
   RefinedMesh& m_mesh;
-  std::vector<vertex_descriptor> m_vertices;
-  std::vector<halfedge_descriptor> m_halfedges;
-  std::vector<face_descriptor> m_faces;
+  Face_graph_writer<RefinedMesh> m_writer;
 };
 
 } // namespace internal

@@ -117,8 +117,10 @@ public:
   void set_determined(const Index h, const int corner)
   {
     m_determined_index[h] = corner;
-    for (int axis = 0; axis < 2; ++axis)
-      m_uv[h][axis] = CGAL::to_double(m_determined[corner].value[axis]);
+    for (int axis = 0; axis < 2; ++axis) {
+      const std::pair<double, double>& interval = m_determined[corner].interval[axis];
+      m_uv[h][axis] = interval.first + (interval.second - interval.first) / 2;
+    }
   }
   int add_determined(FT u, FT v)
   {

@@ -28,7 +28,8 @@ inline double largest_coordinate(const std::array<double, 2>& a)
 }
 
 /// The angle in the plane of the corner at the target of `h`, in radians.
-inline double uv_angle(const Triangulation_connectivity& mesh, const Uv_array& uv, const Triangulation_connectivity::Index h)
+inline double uv_angle(const Triangulation_connectivity& mesh, const Uv_array& uv,
+                       const Triangulation_connectivity::Index h)
 {
   const std::array<double, 2>&p = uv[h], &q = uv[mesh.next(h)], &r = uv[mesh.previous(h)];
   const double a = q[0] - p[0], b = q[1] - p[1], c = r[0] - p[0], d = r[1] - p[1];
@@ -84,8 +85,8 @@ private:
     return distance(uv[h], uv[behind]) <= allowed && distance(uv[g], uv[before]) <= allowed;
   }
 
-  // Where a seam passes near the fixed point of its transition, its edges look as if they were to be welded. The rest of
-  // the seam would end at a vertex that is no cone: edges at such vertices are cut again.
+  // Where a seam passes near the fixed point of its transition, its edges look as if they were to be welded. The rest
+  // of the seam would end at a vertex that is no cone: edges at such vertices are cut again.
   void open_up(const Uv_array& uv, std::vector<Index>& welded)
   {
     std::vector<int> degree(m_mesh.number_of_vertices(), 0);

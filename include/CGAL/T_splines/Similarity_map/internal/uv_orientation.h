@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace CGAL {
 namespace T_splines {
@@ -58,7 +59,10 @@ CGAL::Orientation uv_orientation(const Seamless_layout<FT>& layout, const int h)
     return CGAL::POSITIVE;
   if (filtered.sup() < 0)
     return CGAL::NEGATIVE;
-  return CGAL::sign(determinant([&layout](const int corner, const int axis) -> FT { return layout.coordinate(corner, axis).value(); }));
+  const auto value = [&layout](const int corner, const int axis) -> FT {
+    return layout.coordinate(corner, axis).value();
+  };
+  return CGAL::sign(determinant(value));
 }
 
 /// The sign of the difference of two coordinates, exactly.

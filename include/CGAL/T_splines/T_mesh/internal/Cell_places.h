@@ -94,8 +94,8 @@ private:
     if (!m_layout.is_cut(h >> 1))
       return frame;
     const bool is_along = m_layout.is_along(h >> 1) == ((h & 1) == 0);
-    const std::uint64_t key = static_cast<std::uint64_t>(frame) * (2 * m_layout.number_of_branches())
-                              + 2 * m_layout.branch(h >> 1) + (is_along ? 0 : 1);
+    const std::uint64_t key = static_cast<std::uint64_t>(frame) * (2 * m_layout.number_of_branches()) +
+                              2 * m_layout.branch(h >> 1) + (is_along ? 0 : 1);
     const auto found = m_neighbor_frames.find(key);
     if (found != m_neighbor_frames.end())
       return found->second;
@@ -104,7 +104,10 @@ private:
     return neighbor;
   }
 
-  bool is_on_trace(const int v) const { return m_stars.has_star(v) && has_arc(Traces::star_node(m_stars.existing_star(v))); }
+  bool is_on_trace(const int v) const
+  {
+    return m_stars.has_star(v) && has_arc(Traces::star_node(m_stars.existing_star(v)));
+  }
   bool has_arc(const int node) const
   {
     for (int slot = 0; slot < m_arcs.number_of_slots(node); ++slot)
@@ -183,15 +186,16 @@ private:
     const typename Traces::Edge_crossing &x = m_traces.crossings[a], &y = m_traces.crossings[b];
     const int axis = axis_across(x.direction[0]);
     const CGAL::Comparison_result course =
-      m_traits.compare(m_layout.coordinate(last, axis), m_layout.coordinate(h, axis));
+        m_traits.compare(m_layout.coordinate(last, axis), m_layout.coordinate(h, axis));
     if (axis == axis_across(y.direction[0]))
       return m_traits.compare(x.line[0], y.line[0]) == course;
     // the crossing of the two lines lies beyond the edge on the side that tells the order
     const Enclosed_point<FT> p = corner(last), q = corner(h);
-    const Enclosed_point<FT> meeting = axis == 0 ? Enclosed_point<FT>{x.line[0], y.line[0]} : Enclosed_point<FT>{y.line[0], x.line[0]};
+    const Enclosed_point<FT> meeting =
+        axis == 0 ? Enclosed_point<FT>{x.line[0], y.line[0]} : Enclosed_point<FT>{y.line[0], x.line[0]};
     const CGAL::Sign side = m_traits.orientation(p, q, meeting);
     const CGAL::Sign other_course =
-      m_traits.compare(m_layout.coordinate(last, 1 - axis), m_layout.coordinate(h, 1 - axis));
+        m_traits.compare(m_layout.coordinate(last, 1 - axis), m_layout.coordinate(h, 1 - axis));
     // On a halfedge towards +u and +v, the corner (u of x, v of y) lies on its left if x comes first and x is a u-line.
     const CGAL::Sign turn = course * other_course * (axis == 0 ? 1 : -1) > 0 ? side : -side;
     return turn == CGAL::POSITIVE;

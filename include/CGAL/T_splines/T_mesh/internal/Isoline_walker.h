@@ -11,8 +11,6 @@
 #include <CGAL/T_splines/T_mesh/internal/Vertex_stars.h>
 #include <CGAL/T_splines/T_mesh/internal/isoline_directions.h>
 
-#include <CGAL/number_utils.h>
-
 #include <array>
 #include <vector>
 
@@ -37,10 +35,10 @@ public:
   static constexpr int none = -1;
 
   struct Stand {
-    int star = none, slot = none;     ///< at a vertex
+    int star = none, slot = none;      ///< at a vertex
     int face = none, direction = none; ///< elsewhere
-    std::array<FT, 2> point = {};     ///< elsewhere: in the chart of the face
-    FT unit = FT(1);                  ///< the length of the unit in the chart of the ray or of the face
+    std::array<FT, 2> point = {};      ///< elsewhere: in the chart of the face
+    FT unit = FT(1);                   ///< the length of the unit in the chart of the ray or of the face
   };
 
   /// \param points of the vertices
@@ -80,10 +78,10 @@ public:
     const int n = m_stars.star(stand.star).number_of_rays;
     for (int i = 0; i < quarter_turns; ++i) {
       stand.slot = (stand.slot + 1) % n;
-      stand.unit /= m_stars.scale_clockwise(stand.star, stand.slot);
+      m_stars.for_each_scale_clockwise(stand.star, stand.slot, [&](const FT& scale) { stand.unit /= scale; });
     }
     for (int i = 0; i > quarter_turns; --i) {
-      stand.unit *= m_stars.scale_clockwise(stand.star, stand.slot);
+      m_stars.for_each_scale_clockwise(stand.star, stand.slot, [&](const FT& scale) { stand.unit *= scale; });
       stand.slot = m_stars.next_slot_clockwise(stand.star, stand.slot);
     }
   }
@@ -92,7 +90,8 @@ public:
   {
     if (stand.star != none)
       return m_points.of_vertex(m_stars.star(stand.star).vertex);
-    return m_points.in_face(stand.face, CGAL::to_double(stand.point[0]), CGAL::to_double(stand.point[1]));
+    Number_pool<FT> numbers;
+    return m_points.in_face(stand.face, numbers.store(stand.point[0]), numbers.store(stand.point[1]));
   }
 
   /// The vertex where the walker stands, or none.
@@ -117,8 +116,8 @@ public:
           polyline.push_back(point(stand));
           return true;
         }
-        polyline.push_back(m_points.on_edge(
-          exit.halfedge, m_points.parameter_on_edge(exit.halfedge, step.line.lower, step.direction)));
+        polyline.push_back(
+            m_points.on_edge(exit.halfedge, m_points.parameter_on_edge(exit.halfedge, step.line, step.direction)));
         if (m_mesh.face(exit.halfedge ^ 1) == none)
           return false;
         cross(exit.halfedge, numbers, step);
@@ -166,7 +165,8 @@ private:
     stand.unit = unit;
     while (true) {
       for (stand.slot = m_stars.star(stand.star).number_of_rays - 1; stand.slot >= 0; --stand.slot)
-        if (m_stars.ray(stand.star, stand.slot).halfedge == h && m_stars.ray(stand.star, stand.slot).direction == direction)
+        if (m_stars.ray(stand.star, stand.slot).halfedge == h &&
+            m_stars.ray(stand.star, stand.slot).direction == direction)
           return stand;
       direction = turned(direction, m_layout.rotation(h));
       if (m_layout.is_cut(h >> 1))

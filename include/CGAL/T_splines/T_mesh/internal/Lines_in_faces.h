@@ -24,8 +24,8 @@ public:
   /// How a line comes into a face and leaves it.
   struct Gate {
     enum class Kind { EDGE, VERTEX, INSIDE } kind;
-    int halfedge;  ///< EDGE: of the face; VERTEX: with the vertex as target, of the face
-    Number along;  ///< INSIDE
+    int halfedge; ///< EDGE: of the face; VERTEX: with the vertex as target, of the face
+    Number along; ///< INSIDE
   };
 
   Lines_in_faces(const Seamless_layout<FT>& layout, const TracingTraits& traits)
@@ -81,10 +81,9 @@ public:
   {
     if (gate.kind == Gate::Kind::EDGE)
       return m_traits.orientation(corner(m_mesh.previous(gate.halfedge)), corner(gate.halfedge),
-                                  point_on_line(direction, line, along))
-             == CGAL::POSITIVE;
+                                  point_on_line(direction, line, along)) == CGAL::POSITIVE;
     const Number at_gate =
-      gate.kind == Gate::Kind::VERTEX ? m_layout.coordinate(gate.halfedge, axis_along(direction)) : gate.along;
+        gate.kind == Gate::Kind::VERTEX ? m_layout.coordinate(gate.halfedge, axis_along(direction)) : gate.along;
     return is_exit ? is_ahead(direction, along, at_gate) : is_ahead(direction, at_gate, along);
   }
 
@@ -92,8 +91,7 @@ public:
   bool is_beyond_gate(const Gate& exit, const int direction, const Number& line, const Number& along) const
   {
     return m_traits.orientation(corner(m_mesh.previous(exit.halfedge)), corner(exit.halfedge),
-                                point_on_line(direction, line, along))
-           == CGAL::NEGATIVE;
+                                point_on_line(direction, line, along)) == CGAL::NEGATIVE;
   }
 
 private:

@@ -19,8 +19,8 @@ namespace internal {
 
 // How long on a surface a unit step along u and one along v are, fitted to points (u, v) with their places in space.
 //
-// The squared distances of pairs of nearby points are fitted by a first fundamental form; chords of nearby points are
-// hardly shorter than the surface between them, however the whole patch is bent.
+// The squared distances of pairs of nearby points are fitted by a first fundamental form with orthogonal axes, as conformal
+// maps have it; chords of nearby points are hardly shorter than the surface between them, however the patch is bent.
 class Metric_fit {
 public:
   struct Sample {
@@ -28,19 +28,34 @@ public:
     std::array<double, 3> p;
   };
 
-  // A result with zeros means that nothing could be measured.
-  // pre: the samples are in a rectangle of the given size
-  static std::array<double, 2> lengths(std::vector<Sample> samples, const double width, const double height)
+  struct Result {
+    std::array<double, 2> lengths; // of a unit step along u and along v; zero if there are not two different points
+    bool is_measured;              // both; otherwise they are equal, for want of points that differ in both directions
+  };
+
+  static Result fit(std::vector<Sample> samples)
   {
-    Metric_fit fit;
+    if (samples.empty())
+      return {{0, 0}, false};
+    const auto u = std::minmax_element(samples.begin(), samples.end(),
+                                       [](const Sample& a, const Sample& b) { return a.u < b.u; });
+    const auto v = std::minmax_element(samples.begin(), samples.end(),
+                                       [](const Sample& a, const Sample& b) { return a.v < b.v; });
+    const double u_min = u.first->u, v_min = v.first->v;
+    double width = u.second->u - u_min, height = v.second->v - v_min;
+    if (!(width > 0 || height > 0))
+      return {{0, 0}, false};
+    width = width > 0 ? width : height;
+    height = height > 0 ? height : width;
+
+    Metric_fit metric;
     for (Sample& s : samples) {
-      s.u /= width;
-      s.v /= height;
+      s.u = (s.u - u_min) / width;
+      s.v = (s.v - v_min) / height;
     }
-    fit.add_pairs(samples, &Sample::u, &Sample::v);
-    fit.add_pairs(samples, &Sample::v, &Sample::u);
-    const std::array<double, 2> result = fit.solve(width, height);
-    return {result[0] / width, result[1] / height};
+    metric.add_pairs(samples, &Sample::u, &Sample::v);
+    metric.add_pairs(samples, &Sample::v, &Sample::u);
+    return metric.solve(width, height);
   }
 
 private:
@@ -67,34 +82,31 @@ private:
     double distance = 0;
     for (int i = 0; i < 3; ++i)
       distance += (b.p[i] - a.p[i]) * (b.p[i] - a.p[i]);
-    const Eigen::Vector3d row = Eigen::Vector3d(u * u, u * v, v * v) / length;
+    const Eigen::Vector2d row = Eigen::Vector2d(u * u, v * v) / length;
     m_matrix += row * row.transpose();
     m_right += row * (distance / length);
-    m_squares += Eigen::Vector2d(row[0], row[2]);
+    m_squares += row;
     m_distance += distance / length;
     m_pairs += 1;
   }
 
-  // Lengths of the whole sides. Too few or too different pairs give the same for a unit step along both axes.
-  std::array<double, 2> solve(const double width, const double height) const
+  Result solve(const double width, const double height) const
   {
     if (m_pairs == 0)
-      return {0, 0};
+      return {{0, 0}, false};
     const double mean = m_distance / m_pairs;
-    Eigen::FullPivLU<Eigen::Matrix3d> lu(m_matrix);
-    lu.setThreshold(1e-2);
-    if (m_pairs >= 6 && lu.isInvertible()) {
-      const Eigen::Vector3d form = lu.solve(m_right);
-      if (form[0] > 0.01 * mean && form[2] > 0.01 * mean)
-        return {std::sqrt(form[0]), std::sqrt(form[2])};
+    if (m_pairs >= 12 && m_matrix.determinant() > 0.02 * m_pairs * m_pairs) {
+      const Eigen::Vector2d form = m_matrix.inverse() * m_right;
+      if (form[0] > 0.01 * mean && form[1] > 0.01 * mean)
+        return {{std::sqrt(form[0]) / width, std::sqrt(form[1]) / height}, true};
     }
     // distance^2 = s^2 (w^2 u^2 + h^2 v^2), summed up.
     const double unit = std::sqrt(m_distance / (width * width * m_squares[0] + height * height * m_squares[1]));
-    return {unit * width, unit * height};
+    return {{unit, unit}, false};
   }
 
-  Eigen::Matrix3d m_matrix = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d m_right = Eigen::Vector3d::Zero();
+  Eigen::Matrix2d m_matrix = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d m_right = Eigen::Vector2d::Zero();
   Eigen::Vector2d m_squares = Eigen::Vector2d::Zero();
   double m_distance = 0, m_pairs = 0;
 };

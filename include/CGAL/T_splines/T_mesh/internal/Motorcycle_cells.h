@@ -37,9 +37,9 @@ public:
     int first_half_arc, last_half_arc;
     int source, target; ///< vertices of the T-mesh
     int next = none, face = none;
-    bool is_corner = false; ///< at its target
-    FT knot = FT(0);        ///< in the face's units
-    int side = 0;           ///< direction in the frame of the face
+    bool is_corner = false;  ///< at its target
+    FT knot = FT(0);         ///< in the face's units
+    int side = 0;            ///< direction in the frame of the face
     FT u = FT(0), v = FT(0); ///< of its source in the frame of the face
   };
 
@@ -95,7 +95,8 @@ public:
     const Similarity_2<FT> linear(h.side - direction, part.scale / scale, FT(0), FT(0));
     const std::pair<FT, FT> image = linear(start.first, start.second);
     const std::array<FT, 2> position = start_of_part(half_arc);
-    return Similarity_2<FT>(h.side - direction, part.scale / scale, position[0] - image.first, position[1] - image.second);
+    return Similarity_2<FT>(h.side - direction, part.scale / scale, position[0] - image.first,
+                            position[1] - image.second);
   }
 
   /// The place of the start of a half-arc in the frame of its face.
@@ -176,24 +177,23 @@ private:
     return true;
   }
 
-  /// The scale of the way from the chart where a halfedge ends to the chart where the next one starts.
-  FT scale_of_turn(const Halfedge& h) const
+  /// From the unit of the chart where a halfedge ends to that of the chart where the next one starts.
+  void carry_unit_around_corner(const Halfedge& h, FT& unit) const
   {
     const int node = m_arcs.end_node(h.last_half_arc);
     int slot = m_arcs.end_slot(h.last_half_arc);
-    FT result(1);
     do {
-      result *= m_arcs.scale_clockwise(node, slot);
+      m_arcs.carry_unit_clockwise(node, slot, unit);
       slot = m_arcs.next_slot_clockwise(node, slot);
     } while (m_arcs.leaving(node, slot) == none);
-    return result;
   }
 
-  // The scale across a node where an edge goes straight on.
-  FT scale_of_passage(const int half_arc) const
+  // The same where an edge goes straight on.
+  void carry_unit_through_node(const int half_arc, FT& unit) const
   {
     const int node = m_arcs.end_node(half_arc), slot = m_arcs.end_slot(half_arc);
-    return m_arcs.scale_clockwise(node, slot) * m_arcs.scale_clockwise(node, m_arcs.next_slot_clockwise(node, slot));
+    m_arcs.carry_unit_clockwise(node, slot, unit);
+    m_arcs.carry_unit_clockwise(node, m_arcs.next_slot_clockwise(node, slot), unit);
   }
 
   /// Gives numbers to the halfedges of a face. \param first the one that starts at the origin
@@ -216,16 +216,19 @@ private:
       for (int part = halfedge.first_half_arc;; part = continuation(part)) {
         m_parts[part].scale = scale;
         m_parts[part].offset = halfedge.knot;
-        halfedge.knot += m_arcs.length(part) * scale;
-        scale /= m_arcs.scale(part);
+        if (scale == 1)
+          halfedge.knot += m_arcs.length(part);
+        else
+          halfedge.knot += m_arcs.length(part) * scale;
+        m_arcs.carry_unit_along(part, scale);
         if (part == halfedge.last_half_arc)
           break;
-        scale /= scale_of_passage(part);
+        carry_unit_through_node(part, scale);
       }
       if (!(FT(0) < halfedge.knot))
         return false;
       position = moved(position, side, halfedge.knot);
-      scale /= scale_of_turn(halfedge);
+      carry_unit_around_corner(halfedge, scale);
       if (halfedge.is_corner && ++side > 4)
         return false;
       h = halfedge.next;

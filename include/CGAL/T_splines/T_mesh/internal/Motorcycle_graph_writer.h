@@ -6,9 +6,9 @@
 
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
 #include <CGAL/T_splines/T_mesh/internal/Cell_places.h>
-#include <CGAL/T_splines/T_mesh/internal/Face_graph_writer.h>
 #include <CGAL/T_splines/T_mesh/internal/Motorcycle_cells.h>
 #include <CGAL/T_splines/T_mesh/internal/Trace_geometry.h>
+#include <CGAL/T_splines/internal/Face_graph_writer.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 
 #include <CGAL/number_utils.h>
@@ -131,7 +131,8 @@ public:
       else { // the coordinates in the chart may be large against the face: differences are not
         const std::array<double, 3>& origin = image[place.frame];
         const std::array<double, 2>&p = layout.uv(h), &q = layout.uv(base[place.frame]);
-        const auto [x, y] = Similarity_2<double>(frame.to_face.quarter_turns(), origin[2], origin[0], origin[1])(p[0] - q[0], p[1] - q[1]);
+        const auto [x, y] = Similarity_2<double>(frame.to_face.quarter_turns(), origin[2], origin[0],
+                                                 origin[1])(p[0] - q[0], p[1] - q[1]);
         result.u = Number(x);
         result.v = Number(y);
       }
@@ -145,7 +146,8 @@ public:
   {
     using Anchor = typename boost::property_traits<FaceAnchorMap>::value_type;
     for (int f = 0; f < m_cells.number_of_faces(); ++f) {
-      const auto [triangle, to_face] = anchor(layout, traces, arcs, m_cells.halfedge(m_cells.halfedge_of_face(f)).first_half_arc);
+      const auto [triangle, to_face] =
+          anchor(layout, traces, arcs, m_cells.halfedge(m_cells.halfedge_of_face(f)).first_half_arc);
       Anchor result;
       result.triangle = indexing.face(triangle);
       result.to_face = to_face;
@@ -161,13 +163,14 @@ private:
   }
 
   /// The triangle on the left of the first chord of a half-arc.
-  std::pair<int, Similarity_2<FT>> anchor(const Layout& layout, const Traces& traces, const Arcs& arcs, const int half_arc) const
+  std::pair<int, Similarity_2<FT>> anchor(const Layout& layout, const Traces& traces, const Arcs& arcs,
+                                          const int half_arc) const
   {
     const typename Arcs::Arc& arc = arcs.arcs()[half_arc / 2];
     const bool is_forward_arc = (half_arc & 1) == 0;
     const typename Arcs::Segment& segment = arcs.segment(is_forward_arc ? arc.first_segment : arc.last_segment);
     const typename Traces::Chord& chord =
-      traces.chords[traces.traces[arc.trace].chords[is_forward_arc ? arc.first_chord : arc.last_chord]];
+        traces.chords[traces.traces[arc.trace].chords[is_forward_arc ? arc.first_chord : arc.last_chord]];
     std::pair<FT, FT> start(segment.start, chord.line.value());
     FT scale = segment.scale;
     if (!is_forward_arc) {

@@ -38,9 +38,8 @@ namespace internal {
 /// which it arrives; the rays of the vertex at which it arrives. Each meeting is decided by signs of exact expressions.
 ///
 /// Where the scales of the transitions are not all 1, a trace may spiral towards a closed isoline for ever, its turns
-/// ever closer. One that has come back to an edge `spiral_passes` times in the same direction, each time on a smaller
-/// scale (or `maximal_passes` times at all), gets a seed in its way: two motorcycles leave it sideways, and its own next
-/// turn, or another's, meets them.
+/// ever closer. One that comes back to an edge in the same direction on a smaller scale (or `maximal_passes` times at all)
+/// gets a seed in its way: two motorcycles leave it sideways, and its own next turn, or another's, meets them.
 template <typename FT, typename TracingTraits>
 class Motorcycle_tracer {
   using Layout = Seamless_layout<FT>;
@@ -55,7 +54,6 @@ class Motorcycle_tracer {
 
 public:
   static constexpr int none = -1;
-  static constexpr int spiral_passes = 2;
   static constexpr int maximal_passes = 4096;
   static constexpr int maximal_seeds_per_trace = 256;
 
@@ -104,13 +102,13 @@ private:
     Place place = Place::ENDED;
     double distance = 0;
     Point_3 point = {};
-    int halfedge = none;         ///< ON_EDGE: of the face ahead
-    int star = none, slot = none; ///< AT_VERTEX
+    int halfedge = none;           ///< ON_EDGE: of the face ahead
+    int star = none, slot = none;  ///< AT_VERTEX
     int face = none, start = none; ///< INSIDE
     int direction = 0;
     Number line;
-    std::int64_t log_scale = 0; ///< of the chart, against that of its start
-    int seeds = 0;
+    std::int64_t log_scale = 0;   ///< of the chart, against that of its start
+    int seeds = 0, last_seed = 0; ///< how many it got, and after how many chords
   };
 
   enum class Ray_state : char { FREE, PENDING, TAKEN };
@@ -172,7 +170,8 @@ private:
       const int last = m_stars.star(end).number_of_rays - 1;
       const int trace = new_trace(Motorcycle(), Traces::star_node(star), 0);
       const int direction = m_stars.ray(star, 0).direction;
-      const int chord = add_chord(trace, m_mesh.face(h), direction, m_layout.coordinate(h, axis_across(direction)), true, h);
+      const int chord =
+          add_chord(trace, m_mesh.face(h), direction, m_layout.coordinate(h, axis_across(direction)), true, h);
       m_traces.traces[trace].visits.push_back({Traces::star_node(end), chord, true, last, none});
       occupation(star, 0) = {Ray_state::TAKEN, trace};
       occupation(end, last) = {Ray_state::TAKEN, trace};
@@ -298,20 +297,21 @@ private:
   /// Whether a chord covers a place of its line, its ends included.
   bool covers(const Chord& chord, const Number& along) const
   {
-    return (chord.start == none || !m_lines.is_ahead(chord.direction, along, m_traces.coordinates[chord.start]))
-           && (chord.stop == none || !m_lines.is_ahead(chord.direction, m_traces.coordinates[chord.stop], along));
+    return (chord.start == none || !m_lines.is_ahead(chord.direction, along, m_traces.coordinates[chord.start])) &&
+           (chord.stop == none || !m_lines.is_ahead(chord.direction, m_traces.coordinates[chord.stop], along));
   }
 
   /// The first chord that a line meets strictly inside a face.
-  int first_chord_ahead(const int face, const int direction, const Number& line, const Gate& entry, const Gate& exit) const
+  int first_chord_ahead(const int face, const int direction, const Number& line, const Gate& entry,
+                        const Gate& exit) const
   {
     int first = none;
     for (int c = m_traces.first_chord_in_face[face]; c != none; c = m_traces.chords[c].next_in_place) {
       const Chord& chord = m_traces.chords[c];
-      if (axis_along(chord.direction) != axis_along(direction)
-          && (first == none || m_lines.is_ahead(direction, chord.line, m_traces.chords[first].line))
-          && m_lines.is_inside_gate(entry, direction, line, chord.line, false)
-          && m_lines.is_inside_gate(exit, direction, line, chord.line, true) && covers(chord, line))
+      if (axis_along(chord.direction) != axis_along(direction) &&
+          (first == none || m_lines.is_ahead(direction, chord.line, m_traces.chords[first].line)) &&
+          m_lines.is_inside_gate(entry, direction, line, chord.line, false) &&
+          m_lines.is_inside_gate(exit, direction, line, chord.line, true) && covers(chord, line))
         first = c;
     }
     return first;
@@ -319,7 +319,8 @@ private:
 
   // --- steps
 
-  int add_chord(const int trace, const int face, const int direction, const Number& line, const bool is_along, const int h)
+  int add_chord(const int trace, const int face, const int direction, const Number& line, const bool is_along,
+                const int h)
   {
     const int c = static_cast<int>(m_traces.chords.size());
     Chord chord;
@@ -370,7 +371,8 @@ private:
   void move_to(const int trace, const Point_3& point)
   {
     Motorcycle& motorcycle = m_motorcycles[trace];
-    motorcycle.distance += std::hypot(point[0] - motorcycle.point[0], point[1] - motorcycle.point[1], point[2] - motorcycle.point[2]);
+    motorcycle.distance +=
+        std::hypot(point[0] - motorcycle.point[0], point[1] - motorcycle.point[1], point[2] - motorcycle.point[2]);
     motorcycle.point = point;
   }
 
@@ -385,7 +387,7 @@ private:
     m_traces.nodes.push_back({c, false, false, along, chord.first_node});
     chord.first_node = n;
     m_traces.traces[chord.trace].visits.push_back(
-      {Traces::crossing_node(n), c, false, turned(chord.direction, 2), chord.direction});
+        {Traces::crossing_node(n), c, false, turned(chord.direction, 2), chord.direction});
     return Traces::crossing_node(n);
   }
 
@@ -398,7 +400,7 @@ private:
       const Chord& chord = m_traces.chords[record.chord];
       m_traces.nodes.push_back({record.chord, true, is_anywhere, along, none});
       m_traces.traces[chord.trace].visits.push_back(
-        {Traces::crossing_node(record.node), record.chord, true, turned(chord.direction, 2), chord.direction});
+          {Traces::crossing_node(record.node), record.chord, true, turned(chord.direction, 2), chord.direction});
     }
     Crossing_node& node = m_traces.nodes[record.node];
     if (node.is_anywhere && !is_anywhere) {
@@ -426,7 +428,7 @@ private:
   {
     const int direction = m_traces.chords[c].direction, side = h & 1;
     const Number line = m_traces.chords[c].line;
-    const double parameter = m_chart_points.parameter_on_edge(h, line.lower, direction);
+    const double parameter = m_chart_points.parameter_on_edge(h, line, direction);
     m_traces.chords[c].exit_parameter = parameter;
     move_to(trace, m_chart_points.on_edge(h, parameter));
     for (int r = m_traces.first_crossing_of_edge[h >> 1]; r != none; r = m_traces.crossings[r].next_on_edge) {
@@ -436,13 +438,12 @@ private:
           return meet_head_on(trace, c, r);
       }
       else if (m_traits.orientation(m_lines.corner(m_mesh.previous(h)), m_lines.corner(h),
-                                    m_lines.point_on_line(direction, line, record.line[side]))
-               == CGAL::ZERO)
+                                    m_lines.point_on_line(direction, line, record.line[side])) == CGAL::ZERO)
         return end_on_edge(trace, c, h, r);
     }
     for (int b = m_traces.first_chord_along_edge[h >> 1]; b != none; b = m_traces.chords[b].next_in_place) {
       const auto [line_there, direction_there] =
-        m_traces.chords[b].halfedge == h ? std::make_pair(line, direction) : across_edge(h, line, direction);
+          m_traces.chords[b].halfedge == h ? std::make_pair(line, direction) : across_edge(h, line, direction);
       if (covers(m_traces.chords[b], line_there)) {
         m_traces.chords[c].stop = m_traces.add_coordinate(m_layout.coordinate(h, axis_along(direction)));
         return end_at(trace, c, node_on_chord(b, line_there), turned(direction_there, 2));
@@ -471,7 +472,7 @@ private:
     chord.stop = m_traces.add_coordinate(m_traces.crossings[crossing].line[h & 1]);
     const bool is_same_side = m_traces.chords[m_traces.crossings[crossing].chord].halfedge == h;
     const auto [line, direction] =
-      is_same_side ? std::make_pair(chord.line, chord.direction) : across_edge(h, chord.line, chord.direction);
+        is_same_side ? std::make_pair(chord.line, chord.direction) : across_edge(h, chord.line, chord.direction);
     end_at(trace, c, node_on_edge(crossing, line, false), turned(direction, 2));
   }
 
@@ -505,8 +506,8 @@ private:
   {
     int nearest = none;
     for (int r = m_traces.first_crossing_of_edge[h >> 1]; r != none; r = m_traces.crossings[r].next_on_edge)
-      if (nearest == none
-          || m_lines.is_ahead(direction, m_traces.crossings[r].line[h & 1], m_traces.crossings[nearest].line[h & 1]))
+      if (nearest == none ||
+          m_lines.is_ahead(direction, m_traces.crossings[r].line[h & 1], m_traces.crossings[nearest].line[h & 1]))
         nearest = r;
     const int c = add_chord(trace, m_mesh.face(h), direction, line, true, h);
     if (nearest != none)
@@ -531,8 +532,10 @@ private:
     const bool is_free = here.state == Ray_state::FREE;
     here = {Ray_state::TAKEN, trace};
     const int straight = (slot + 2) % n;
-    if (!is_free || m_stars.star(star).is_on_border || n != 4 || occupation(star, (slot + 1) % n).state != Ray_state::FREE ||
-        occupation(star, (slot + 3) % n).state != Ray_state::FREE || occupation(star, straight).state != Ray_state::FREE)
+    if (!is_free || m_stars.star(star).is_on_border || n != 4 ||
+        occupation(star, (slot + 1) % n).state != Ray_state::FREE ||
+        occupation(star, (slot + 3) % n).state != Ray_state::FREE ||
+        occupation(star, straight).state != Ray_state::FREE)
       return;
     m_traces.traces[trace].visits.back().departure = straight;
     occupation(star, straight) = {Ray_state::PENDING, trace};
@@ -546,19 +549,19 @@ private:
   /// Whether the trace goes through an edge too often. \param crossing its last one, leaving a face through h
   bool is_endless(const int trace, const int crossing, const int h) const
   {
-    int passes = 0, spiral = 0;
-    std::int64_t scale = m_scale_at_crossing[crossing];
+    int passes = 0;
+    const std::int64_t scale = m_scale_at_crossing[crossing];
     const int side = h & 1, direction = m_traces.crossings[crossing].direction[side];
     for (int r = m_traces.crossings[crossing].next_on_edge; r != none; r = m_traces.crossings[r].next_on_edge) {
       const Edge_crossing& record = m_traces.crossings[r];
       if (m_traces.chords[record.chord].trace != trace || record.direction[side] != direction)
         continue;
-      ++passes;
-      if (is_smaller_scale(scale, m_scale_at_crossing[r]))
-        ++spiral;
-      scale = m_scale_at_crossing[r];
+      if (m_traces.chords[record.chord].ordinal < m_motorcycles[trace].last_seed)
+        break; // the crossings of an edge are listed from the last one to the first
+      if (++passes >= maximal_passes || is_smaller_scale(scale, m_scale_at_crossing[r]))
+        return true;
     }
-    return (spiral > 0 && spiral % spiral_passes == 0) || (passes > 0 && passes % maximal_passes == 0);
+    return false;
   }
 
   /// Sends two motorcycles to both sides from a place inside a chord that leaves its face.
@@ -573,6 +576,7 @@ private:
     if (!(along.lower == along.lower))
       return; // the chord is too short for one: the next one will do
     ++m_number_of_seeds;
+    m_motorcycles[trace].last_seed = chord.ordinal + 1;
     const int node = node_on_chord(c, along), start = m_traces.add_coordinate(along);
     for (const int turn : {1, 3}) {
       Motorcycle motorcycle = m_motorcycles[trace];
@@ -581,7 +585,7 @@ private:
       motorcycle.start = m_traces.add_coordinate(chord.line);
       motorcycle.direction = turned(chord.direction, turn);
       motorcycle.line = m_traces.coordinates[start];
-      motorcycle.seeds = 0;
+      motorcycle.seeds = motorcycle.last_seed = 0;
       const int side_trace = new_trace(motorcycle, node, motorcycle.direction);
       advance(side_trace);
       if (m_motorcycles[side_trace].place != Motorcycle::Place::ENDED)
@@ -615,12 +619,12 @@ private:
       return false;
     int h = m_mesh.halfedge_of_face(chord.face);
     for (int i = 0; i < 3; ++i, h = m_mesh.next(h))
-      if (m_traits.orientation(m_lines.corner(m_mesh.previous(h)), m_lines.corner(h), m_lines.point_on_line(chord.direction, chord.line, along))
-          != CGAL::POSITIVE)
+      if (m_traits.orientation(m_lines.corner(m_mesh.previous(h)), m_lines.corner(h),
+                               m_lines.point_on_line(chord.direction, chord.line, along)) != CGAL::POSITIVE)
         return false;
     for (int c = m_traces.first_chord_in_face[chord.face]; c != none; c = m_traces.chords[c].next_in_place)
-      if (axis_along(m_traces.chords[c].direction) != axis_along(chord.direction)
-          && m_traits.compare(m_traces.chords[c].line, along) == CGAL::EQUAL)
+      if (axis_along(m_traces.chords[c].direction) != axis_along(chord.direction) &&
+          m_traits.compare(m_traces.chords[c].line, along) == CGAL::EQUAL)
         return false;
     return true;
   }
@@ -632,9 +636,9 @@ private:
   const Lines m_lines;
   Vertex_stars<FT, TracingTraits> m_stars;
   Traces m_traces;
-  std::vector<Motorcycle> m_motorcycles;      // per trace
-  std::vector<Ray_occupation> m_occupation;   // per ray of the stars
-  std::vector<std::int64_t> m_log_scale;      // per branch
+  std::vector<Motorcycle> m_motorcycles;         // per trace
+  std::vector<Ray_occupation> m_occupation;      // per ray of the stars
+  std::vector<std::int64_t> m_log_scale;         // per branch
   std::vector<std::int64_t> m_scale_at_crossing; // per crossing
   using Waiting = std::pair<double, int>;
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<Waiting>> m_queue;

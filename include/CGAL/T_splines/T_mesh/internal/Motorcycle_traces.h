@@ -30,14 +30,14 @@ public:
     int face;
     int direction;
     bool is_along;
-    int halfedge;               ///< along which it runs, or through which it leaves its face; none if it ends inside
-    Number line;                ///< its constant coordinate
-    int start = none;           ///< index of the coordinate where it starts inside the face or edge
-    int stop = none;            ///< the same for where it stops
-    int next_in_place = none;   ///< the next chord in the same face, or along the same edge
-    int first_node = none;      ///< of the crossings inside it
-    int crossing = none;        ///< of the edge through which it leaves its face
-    double exit_parameter = 0;  ///< place of that crossing on the halfedge, from 0 at its source to 1
+    int halfedge;              ///< along which it runs, or through which it leaves its face; none if it ends inside
+    Number line;               ///< its constant coordinate
+    int start = none;          ///< index of the coordinate where it starts inside the face or edge
+    int stop = none;           ///< the same for where it stops
+    int next_in_place = none;  ///< the next chord in the same face, or along the same edge
+    int first_node = none;     ///< of the crossings inside it
+    int crossing = none;       ///< of the edge through which it leaves its face
+    double exit_parameter = 0; ///< place of that crossing on the halfedge, from 0 at its source to 1
   };
 
   /// A trace crosses the interior of an edge. Side 0 is the face of the even halfedge.

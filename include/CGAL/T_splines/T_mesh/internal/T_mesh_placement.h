@@ -58,7 +58,8 @@ public:
     Stand stand;
     const T_mesh_coordinates<TMesh, HalfedgeKnotMap, HalfedgeCornerMap> coordinates(m_t_mesh, m_knots, m_corners);
     const halfedge_descriptor first = coordinates.first_of_side(root.place.face, 0);
-    const FT width(coordinates.side_length(first)), height(coordinates.side_length(coordinates.first_of_side(root.place.face, 1)));
+    const FT width(coordinates.side_length(first)),
+        height(coordinates.side_length(coordinates.first_of_side(root.place.face, 1)));
     if (!walk_to_origin(root, width, height, stand))
       return false;
     stand.unit *= knot(first);
@@ -148,7 +149,8 @@ private:
   }
 
   template <typename FoundVertex, typename FoundEdge>
-  bool walk_along(const halfedge_descriptor h, Stand stand, const FoundVertex& found_vertex, const FoundEdge& found_edge)
+  bool walk_along(const halfedge_descriptor h, Stand stand, const FoundVertex& found_vertex,
+                  const FoundEdge& found_edge)
   {
     const halfedge_descriptor back = opposite(h, m_t_mesh);
     const bool is_new = !get(m_is_placed, target(h, m_t_mesh));

@@ -87,36 +87,55 @@ public:
                                  : m_half_arc_of_crossing[4 * (node / 2) + slot];
   }
 
-  int start_node(const int half_arc) const { return (half_arc & 1) == 0 ? arc(half_arc).start_node : arc(half_arc).end_node; }
-  int start_slot(const int half_arc) const { return (half_arc & 1) == 0 ? arc(half_arc).start_slot : arc(half_arc).end_slot; }
+  int start_node(const int half_arc) const
+  {
+    return (half_arc & 1) == 0 ? arc(half_arc).start_node : arc(half_arc).end_node;
+  }
+  int start_slot(const int half_arc) const
+  {
+    return (half_arc & 1) == 0 ? arc(half_arc).start_slot : arc(half_arc).end_slot;
+  }
   int end_node(const int half_arc) const { return start_node(half_arc ^ 1); }
   int end_slot(const int half_arc) const { return start_slot(half_arc ^ 1); }
 
   /// The length of a half-arc in units of the chart where it starts.
   FT length(const int half_arc) const
   {
-    return (half_arc & 1) == 0 ? arc(half_arc).length : FT(arc(half_arc).length * arc(half_arc).scale);
+    const Arc& a = arc(half_arc);
+    return (half_arc & 1) == 0 || a.scale == 1 ? a.length : FT(a.length * a.scale);
   }
-  /// The scale of the way from the chart where a half-arc starts to the one where it ends.
-  FT scale(const int half_arc) const
+
+  // A unit is the scale from a chart to something that stays: it changes with the chart.
+
+  /// From the unit of the chart where a half-arc starts to that of the chart where it ends.
+  void carry_unit_along(const int half_arc, FT& unit) const
   {
-    return (half_arc & 1) == 0 ? arc(half_arc).scale : FT(FT(1) / arc(half_arc).scale);
+    if (arc(half_arc).scale == 1)
+      return;
+    if ((half_arc & 1) == 0)
+      unit /= arc(half_arc).scale;
+    else
+      unit *= arc(half_arc).scale;
+  }
+
+  /// From the unit of the chart of a slot to that of the next one, clockwise, around the node. \pre no border
+  void carry_unit_clockwise(const int node, const int slot, FT& unit) const
+  {
+    if (Traces::is_star(node))
+      m_stars.for_each_scale_clockwise(node / 2, slot, [&](const FT& scale) { unit /= scale; });
   }
 
   /// Whether the next slot, clockwise, lies beyond a border.
   bool is_border_next(const int node, const int slot) const
   {
-    return slot == 0 && Traces::is_star(node) && m_stars.star(node / 2).is_on_border;
+    if (Traces::is_star(node))
+      return slot == 0 && m_stars.star(node / 2).is_on_border;
+    const Chord& chord = m_traces.chords[m_traces.nodes[node / 2].chord]; // a border chord has the surface on its left
+    return chord.is_along && slot == chord.direction && m_mesh.face(chord.halfedge ^ 1) == none;
   }
   int next_slot_clockwise(const int node, const int slot) const
   {
     return slot == 0 ? number_of_slots(node) - 1 : slot - 1;
-  }
-
-  /// The scale of the way from the chart of a slot to that of the next one, clockwise, around the node. \pre no border
-  FT scale_clockwise(const int node, const int slot) const
-  {
-    return Traces::is_star(node) ? m_stars.scale_clockwise(node / 2, slot) : FT(1);
   }
 
   /// Whether a node has only two arcs, which go straight through it.
@@ -170,7 +189,7 @@ private:
       if (a.is_at_end || b.is_at_end)
         return !a.is_at_end && b.is_at_end;
       const CGAL::Comparison_result order =
-        m_traits.compare(m_traces.nodes[a.node / 2].along, m_traces.nodes[b.node / 2].along);
+          m_traits.compare(m_traces.nodes[a.node / 2].along, m_traces.nodes[b.node / 2].along);
       return order == (is_forward(m_traces.chords[a.chord].direction) ? CGAL::SMALLER : CGAL::LARGER);
     };
     std::stable_sort(visits.begin(), visits.end(), precedes);
@@ -196,7 +215,8 @@ private:
     position = visit.chord == none ? 0 : m_traces.chords[visit.chord].ordinal + (visit.is_at_end ? 1 : 0);
     const Chord& chord = chord_of(trace, position);
     if (Traces::is_star(visit.node))
-      return m_layout.coordinate(m_stars.corner_of_ray(visit.node / 2, visit.departure), axis_along(chord.direction)).value();
+      return m_layout.coordinate(m_stars.corner_of_ray(visit.node / 2, visit.departure), axis_along(chord.direction))
+          .value();
     if (visit.chord == none)
       return m_traces.coordinates[chord.start].value();
     const FT along = m_traces.nodes[visit.node / 2].along.value();
@@ -209,7 +229,8 @@ private:
     if (!m_layout.is_cut(chord.halfedge >> 1))
       return along;
     const Similarity_2<FT>& transition = m_layout.transition(chord.halfedge);
-    scale *= transition.scale();
+    if (transition.scale() != 1)
+      scale *= transition.scale();
     return transformed_coordinate(transition, chord.direction, along);
   }
 
@@ -229,7 +250,8 @@ private:
     if (chord.halfedge == none || chord.halfedge == other.halfedge || !m_layout.is_cut(chord.halfedge >> 1))
       return chord.stop != none ? m_traces.coordinates[chord.stop].value() : node.along.value();
     if (chord.stop == none) { // they met head-on: the coordinate is given on the other side
-      const FT along = transformed_coordinate(m_layout.transition(chord.halfedge ^ 1), other.direction, node.along.value());
+      const FT along =
+          transformed_coordinate(m_layout.transition(chord.halfedge ^ 1), other.direction, node.along.value());
       scale *= m_layout.transition(chord.halfedge).scale();
       return along;
     }
@@ -258,7 +280,9 @@ private:
     const Chord& chord = m_traces.chords[end.chord];
     FT end_scale = scale;
     const FT at_end = end_of_arc(chord, end, is_last, end_scale);
-    arc.length = (is_forward(chord.direction) ? FT(at_end - along) : FT(along - at_end)) / scale;
+    arc.length = (is_forward(chord.direction) ? FT(at_end - along) : FT(along - at_end));
+    if (scale != 1)
+      arc.length /= scale;
     arc.scale = end_scale;
     m_arcs.push_back(arc);
     occupy(start.node, start.departure, 2 * a);

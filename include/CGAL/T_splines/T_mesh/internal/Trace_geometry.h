@@ -31,8 +31,8 @@ public:
   using Point_3 = typename Chart_points<FT>::Point_3;
 
   /// \param points of the vertices of the map's mesh
-  Trace_geometry(const Layout& layout, const std::vector<Point_3>& points,
-                 const Vertex_stars<FT, TracingTraits>& stars, const Traces& traces, const Arcs& arcs, const Cells& cells)
+  Trace_geometry(const Layout& layout, const std::vector<Point_3>& points, const Vertex_stars<FT, TracingTraits>& stars,
+                 const Traces& traces, const Arcs& arcs, const Cells& cells)
     : m_points(layout, points),
       m_stars(stars),
       m_traces(traces),
@@ -49,8 +49,8 @@ public:
     const typename Traces::Chord& chord = m_traces.chords[crossing.chord];
     if (crossing.is_at_end)
       return exit_point(chord);
-    const double along = crossing.along.lower, line = chord.line.lower;
-    return axis_along(chord.direction) == 0 ? m_points.in_face(chord.face, along, line) : m_points.in_face(chord.face, line, along);
+    return axis_along(chord.direction) == 0 ? m_points.in_face(chord.face, crossing.along, chord.line)
+                                            : m_points.in_face(chord.face, chord.line, crossing.along);
   }
 
   /// The points of an edge of the T-mesh, from the source of its halfedge to the target.

@@ -17,8 +17,8 @@ namespace internal {
 
 /// One of the isolines that leave a vertex.
 struct Vertex_ray {
-  int halfedge;  ///< with the vertex as source: the ray lies in the corner of its face, between it and the next halfedge
-                 ///< around the vertex, or along it
+  int halfedge; ///< with the vertex as source: the ray lies in the corner of its face, between it and the next halfedge
+                ///< around the vertex, or along it
   int direction; ///< in the chart of its face
   bool is_along; ///< along the halfedge
 };
@@ -96,21 +96,21 @@ public:
     return slot == 0 ? m_stars[star].number_of_rays - 1 : slot - 1;
   }
 
-  /// The scale of the way from the chart of a ray to that of the next one, clockwise. \pre no border lies between
-  FT scale_clockwise(const int star, const int slot) const
+  /// Calls a function with each scale but 1 of the transitions on the way from the chart of a ray to that of the next
+  /// one, clockwise. \pre no border lies between
+  template <typename Function>
+  void for_each_scale_clockwise(const int star, const int slot, const Function& function) const
   {
     const Triangulation_connectivity& mesh = m_layout.mesh();
     const int target = ray(star, next_slot_clockwise(star, slot)).halfedge;
     int h = ray(star, slot).halfedge;
     if (mesh.face(h) == none)
       h = mesh.next(h ^ 1);
-    FT result(1);
     for (bool is_full_turn = slot == 0; is_full_turn || h != target; is_full_turn = false) {
-      if (m_layout.is_cut(h >> 1))
-        result *= m_layout.transition(h).scale();
+      if (m_layout.is_cut(h >> 1) && m_layout.transition(h).scale() != 1)
+        function(m_layout.transition(h).scale());
       h = mesh.next(h ^ 1);
     }
-    return result;
   }
 
   /// The halfedge that points to the vertex in the face whose chart a ray refers to.

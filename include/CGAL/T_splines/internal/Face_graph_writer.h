@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_T_SPLINES_T_MESH_INTERNAL_FACE_GRAPH_WRITER_H
-#define CGAL_T_SPLINES_T_MESH_INTERNAL_FACE_GRAPH_WRITER_H
+#ifndef CGAL_T_SPLINES_INTERNAL_FACE_GRAPH_WRITER_H
+#define CGAL_T_SPLINES_INTERNAL_FACE_GRAPH_WRITER_H
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -36,10 +36,12 @@ public:
   using face_descriptor = typename Traits::face_descriptor;
 
   /// \pre `graph` is empty
-  Face_graph_writer(FaceGraph& graph, const int number_of_vertices, const int number_of_edges, const int number_of_faces)
+  Face_graph_writer(FaceGraph& graph, const int number_of_vertices, const int number_of_edges,
+                    const int number_of_faces)
     : m_graph(graph)
   {
-    CGAL_precondition_msg(CGAL::is_empty(graph), "the graph to write must be empty: clear() would take its property maps away");
+    CGAL_precondition_msg(CGAL::is_empty(graph),
+                          "the graph to write must be empty: clear() would take its property maps away");
     reserve(graph, number_of_vertices, number_of_edges, number_of_faces);
     for (int v = 0; v < number_of_vertices; ++v)
       m_vertices.push_back(add_vertex(graph));
@@ -77,4 +79,4 @@ private:
 } // namespace T_splines
 } // namespace CGAL
 
-#endif // CGAL_T_SPLINES_T_MESH_INTERNAL_FACE_GRAPH_WRITER_H
+#endif // CGAL_T_SPLINES_INTERNAL_FACE_GRAPH_WRITER_H

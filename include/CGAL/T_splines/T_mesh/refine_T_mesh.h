@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_T_MESH_REFINE_T_MESH_H
+#define CGAL_T_SPLINES_T_MESH_REFINE_T_MESH_H
+
+#include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
+#include <CGAL/T_splines/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/use.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+
+/// How the refinement of a T-mesh ended.
+enum class T_mesh_refinement_status {
+  REFINED,            ///< no face is larger than the target
+  INVALID_TARGET,     ///< the target size is not positive; nothing was done
+  SIZE_NOT_FINITE,    ///< the size of `face` is infinite or not a number; it was left as it is
+  ITERATION_LIMIT     ///< the allowed number of splits was not enough; `face` was the largest face then
+};
+
+/// returns one sentence that explains `status`.
+inline const char* message(const T_mesh_refinement_status status)
+{
+  switch (status) {
+  case T_mesh_refinement_status::REFINED: return "no face is larger than the target size";
+  case T_mesh_refinement_status::INVALID_TARGET: return "the target size is not positive";
+  case T_mesh_refinement_status::SIZE_NOT_FINITE: return "the size of a face is not a finite number";
+  case T_mesh_refinement_status::ITERATION_LIMIT: return "the allowed number of splits was not enough";
+  }
+  return "";
+}
+
+/// What `refine_T_mesh()` did. Members that `status` does not mention have no meaning.
+/// \tparam TMesh a model of `FaceGraph`
+template <typename TMesh>
+struct T_mesh_refinement_report {
+  T_mesh_refinement_status status = T_mesh_refinement_status::REFINED;
+  std::size_t splits = 0; ///< each adds one face; always set
+  typename boost::graph_traits<TMesh>::face_descriptor face = boost::graph_traits<TMesh>::null_face();
+
+  bool success() const { return status == T_mesh_refinement_status::REFINED; }
+};
+
+namespace internal {
+
+// Splits faces at their longer side, largest first.
+template <typename Editor, typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename FaceSize>
+class T_mesh_refinement {
+  using halfedge_descriptor = typename Editor::halfedge_descriptor;
+  using face_descriptor = typename Editor::face_descriptor;
+  using FT = typename Editor::FT;
+
+  struct Entry {
+    double size; // of the longer side
+    int axis;
+    std::size_t number; // order of entry
+    face_descriptor f;
+
+    friend bool operator<(const Entry& a, const Entry& b)
+    {
+      return a.size != b.size ? a.size < b.size : a.number > b.number;
+    }
+  };
+
+public:
+  T_mesh_refinement(Editor& editor, const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
+                    const FaceSize& face_size)
+    : m_editor(editor),
+      m_t_mesh(t_mesh),
+      m_knots(knots),
+      m_corners(corners),
+      m_face_size(face_size)
+  {}
+
+  T_mesh_refinement_report<TMesh> run(const double target, const std::size_t number_of_splits)
+  {
+    T_mesh_refinement_report<TMesh> report;
+    for (const face_descriptor f : faces(m_t_mesh))
+      push(f, target, report);
+    while (!m_queue.empty()) {
+      const Entry entry = m_queue.top();
+      if (report.splits == number_of_splits) {
+        report.status = T_mesh_refinement_status::ITERATION_LIMIT;
+        report.face = entry.f;
+        return report;
+      }
+      m_queue.pop();
+      const auto edit = m_editor.split_face(entry.f, entry.axis, split_position(entry.f, entry.axis));
+      CGAL_assertion(bool(edit));
+      ++report.splits;
+      push(face(edit.halfedge, m_t_mesh), target, report);
+      push(face(opposite(edit.halfedge, m_t_mesh), m_t_mesh), target, report);
+    }
+    return report;
+  }
+
+private:
+  void push(const face_descriptor f, const double target, T_mesh_refinement_report<TMesh>& report)
+  {
+    const std::pair<double, double> size = m_face_size(f);
+    if (!std::isfinite(size.first) || !std::isfinite(size.second)) {
+      report.status = T_mesh_refinement_status::SIZE_NOT_FINITE;
+      report.face = f;
+      return;
+    }
+    const double longer = (std::max)(size.first, size.second);
+    if (longer > target)
+      m_queue.push({longer, size.first >= size.second ? 0 : 1, m_number++, f});
+  }
+
+  // A vertex in the middle third of the two sides that are cut, or the middle itself. A new knot so keeps a distance
+  // of a sixth of the face from the old ones.
+  FT split_position(const face_descriptor f, const int axis) const
+  {
+    const auto& coordinates = m_editor.coordinates();
+    const halfedge_descriptor first = coordinates.first_of_side(f, axis);
+    const FT size = coordinates.side_length(first), middle = size / FT(2);
+    FT best = middle, best_distance = size / FT(6);
+    bool is_best_met_twice = false;
+    const std::vector<FT> near = inner_knots(first), far = inner_knots(coordinates.first_of_side(f, axis + 2));
+    const auto consider = [&](const FT& x, const bool is_met_twice) {
+      const FT distance = CGAL::abs(FT(x - middle));
+      if (distance > size / FT(6) || (is_best_met_twice && !is_met_twice))
+        return;
+      if (distance < best_distance || (is_met_twice && !is_best_met_twice)) {
+        best = x;
+        best_distance = distance;
+        is_best_met_twice = is_met_twice;
+      }
+    };
+    // Both lists are merged; the far side runs backwards.
+    std::size_t i = 0, j = far.size();
+    while (i < near.size() || j > 0) {
+      const bool has_near = i < near.size(), has_far = j > 0;
+      const FT x = has_near ? near[i] : size, y = has_far ? FT(size - far[j - 1]) : size;
+      const bool is_met_twice = has_near && has_far && CGAL::abs(FT(x - y)) <= tolerance(size);
+      consider((std::min)(x, y), is_met_twice);
+      if (has_near && (is_met_twice || !has_far || x < y))
+        ++i;
+      if (has_far && (is_met_twice || !has_near || !(x < y)))
+        --j;
+    }
+    return best;
+  }
+
+  static FT tolerance(const FT& size)
+  {
+    if constexpr (is_exact_number_type<FT>)
+      return FT(0);
+    else
+      return size * FT(1e-11);
+  }
+
+  // Distances of the vertices on a side, corners excepted, from its beginning.
+  std::vector<FT> inner_knots(halfedge_descriptor h) const
+  {
+    std::vector<FT> result;
+    FT distance(0);
+    while (!get(m_corners, h)) {
+      distance += get(m_knots, h);
+      result.push_back(distance);
+      h = next(h, m_t_mesh);
+    }
+    return result;
+  }
+
+  Editor& m_editor;
+  const TMesh& m_t_mesh;
+  HalfedgeKnotMap m_knots;
+  HalfedgeCornerMap m_corners;
+  const FaceSize& m_face_size;
+  std::priority_queue<Entry> m_queue;
+  std::size_t m_number = 0;
+};
+
+} // namespace internal
+
+/// splits the faces of a T-mesh until none is larger than a target size ([CZ17] section 9.2: "1-to-2 face splits").
+///
+/// The largest face comes first. It is split across its longer side, at a vertex in the middle third of one of the two sides
+/// that are cut, one that both have if there is one, or else in the middle.
+///
+/// It ends if the size of a face tends to zero with its extent in the parameter domain: each split leaves a face at most two
+/// thirds of an extent. This holds for `Parametric_face_size` and `Surface_face_size`.
+/// \tparam TMesh a model of `MutableFaceGraph` and `FaceListGraph`; it may be non-simple
+/// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_mesh_editor`
+/// \tparam FaceSize a model of `TMeshFaceSize`; it is not copied, so that it may follow the changes
+/// \pre the knots are admissible
+/// \param face_size gives the lengths of a face along u and along v, in any unit: `Parametric_face_size`,
+///        `Surface_face_size`
+/// \param target_size the largest length allowed, in the same unit; positive
+/// \param np named parameters: `visitor`, a model of `TMeshVisitor`: needed if `face_size` has one;
+///        `number_of_iterations`, a `std::size_t`, the largest number of splits (no bound)
+/// \return how it ended
+/// Complexity: O(log n) for each split, plus the number of halfedges of the face, plus its size.
+template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename FaceSize,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+T_mesh_refinement_report<TMesh> refine_T_mesh(TMesh& t_mesh, const HalfedgeKnotMap knots,
+                                              const HalfedgeCornerMap corners, const FaceSize& face_size,
+                                              const double target_size,
+                                              const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Visitor = typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::visitor_t, NamedParameters,
+                                                                     T_mesh_visitor>::type;
+  using Editor = T_mesh_editor<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Visitor>;
+  if (!(target_size > 0)) {
+    T_mesh_refinement_report<TMesh> report;
+    report.status = T_mesh_refinement_status::INVALID_TARGET;
+    return report;
+  }
+  const std::size_t number_of_splits = choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
+                                                        (std::numeric_limits<std::size_t>::max)());
+  Editor editor(t_mesh, knots, corners,
+                choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor()));
+  internal::T_mesh_refinement<Editor, TMesh, HalfedgeKnotMap, HalfedgeCornerMap, FaceSize> refinement(
+      editor, t_mesh, knots, corners, face_size);
+  return refinement.run(target_size, number_of_splits);
+}
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_T_MESH_REFINE_T_MESH_H

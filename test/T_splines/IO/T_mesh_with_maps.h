@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef T_SPLINES_TEST_IO_T_MESH_WITH_MAPS_H
+#define T_SPLINES_TEST_IO_T_MESH_WITH_MAPS_H
+
+#include <CGAL/T_splines/IO/read_t_mesh.h>
+#include <CGAL/T_splines/IO/write_t_mesh.h>
+#include <CGAL/T_splines/named_parameters.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <string>
+
+namespace T = CGAL::T_splines;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using Cell_complex =
+    CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, CGAL::Linear_cell_complex_traits<3, Kernel>>::type;
+
+/// A T-mesh with its maps, whatever the graph.
+template <typename Graph, typename FT = double>
+struct T_mesh_with_maps {
+  using Halfedge = typename boost::graph_traits<Graph>::halfedge_descriptor;
+  using Vertex = typename boost::graph_traits<Graph>::vertex_descriptor;
+
+  Graph graph;
+  mutable std::map<Halfedge, FT> knots;
+  mutable std::map<Halfedge, bool> corners;
+  mutable std::map<Vertex, double> weights;
+
+  auto knot_map() const { return boost::make_assoc_property_map(knots); }
+  auto corner_map() const { return boost::make_assoc_property_map(corners); }
+  auto weight_map() const { return boost::make_assoc_property_map(weights); }
+
+  T::T_mesh_reading_report read(const std::string& filename)
+  {
+    return T::read_t_mesh(filename, graph, knot_map(), corner_map(), T::parameters::vertex_weight_map(weight_map()));
+  }
+
+  /// What the writer makes of it.
+  std::string text() const
+  {
+    std::ostringstream out;
+    const auto np = T::parameters::vertex_weight_map(weight_map());
+    return T::write_t_mesh(out, graph, knot_map(), corner_map(), np) ? "failed" : out.str();
+  }
+};
+
+template <typename Graph>
+std::size_t vertices_of(const Graph& graph)
+{
+  return static_cast<std::size_t>(std::distance(vertices(graph).first, vertices(graph).second));
+}
+
+template <typename Graph>
+std::size_t faces_of(const Graph& graph)
+{
+  return static_cast<std::size_t>(std::distance(faces(graph).first, faces(graph).second));
+}
+
+#endif // T_SPLINES_TEST_IO_T_MESH_WITH_MAPS_H

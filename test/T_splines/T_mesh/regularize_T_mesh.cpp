@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
+
+#include <CGAL/T_splines/T_mesh/Carried_points.h>
+#include <CGAL/T_splines/T_mesh/is_admissible.h>
+
+#include "T_mesh/Development.h"
+#include "T_mesh/test_t_meshes.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Random.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using Rational = CGAL::Exact_rational;
+using CGAL::T_splines::is_admissible;
+using test_t_meshes::Faces;
+namespace parameters = CGAL::parameters;
+
+template <typename Mesh>
+using Coordinates =
+    CGAL::T_splines::T_mesh_coordinates<typename Mesh::TMesh, typename Mesh::Knot_map, typename Mesh::Corner_map>;
+
+template <typename Mesh>
+std::vector<double> aspect_ratios(Mesh& t)
+{
+  const Coordinates<Mesh> coordinates(t.mesh, t.knots(), t.corners());
+  std::vector<double> result;
+  for (const auto f : faces(t.mesh)) {
+    const double a = CGAL::to_double(coordinates.width(f)), b = CGAL::to_double(coordinates.height(f));
+    result.push_back((std::max)(a / b, b / a));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// Splits random faces at random places: most become narrow.
+template <typename Editor>
+void split_randomly(Editor& editor, const int splits, const int seed)
+{
+  using FT = typename Editor::FT;
+  CGAL::Random random(seed);
+  for (int i = 0; i < splits; ++i) {
+    const auto range = faces(editor.coordinates().t_mesh());
+    const std::vector<typename Editor::face_descriptor> list(range.begin(), range.end());
+    const auto f = list[random.get_int(0, static_cast<int>(list.size()))];
+    const int axis = random.get_int(0, 2);
+    const FT size = axis == 0 ? editor.coordinates().width(f) : editor.coordinates().height(f);
+    REQUIRE(editor.split_face(f, axis, FT(size * FT(random.get_int(1, 64)) / FT(64))));
+  }
+}
+
+template <typename Mesh>
+std::map<int, std::vector<int>> cones(Mesh& t)
+{
+  std::map<int, std::vector<int>> result; // extended valence -> number of edges
+  for (const auto v : vertices(t.mesh)) {
+    if (!CGAL::T_splines::is_extraordinary(v, t.mesh, t.corners()))
+      continue;
+    int edges = 0;
+    for (const auto h : CGAL::halfedges_around_target(halfedge(v, t.mesh), t.mesh))
+      edges += h != boost::graph_traits<typename Mesh::TMesh>::null_halfedge();
+    result[CGAL::T_splines::extended_valence(v, t.mesh, t.corners())].push_back(edges);
+  }
+  for (auto& r : result)
+    std::sort(r.second.begin(), r.second.end());
+  return result;
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("narrow faces disappear, cones keep their edges", "[regularize_T_mesh]",
+                   (std::tuple<Surface_mesh, Rational>), (std::tuple<Surface_mesh, double>),
+                   (std::tuple<Polyhedron, Rational>), (std::tuple<Polyhedron, double>))
+{
+  using TMesh = typename std::tuple_element<0, TestType>::type;
+  using FT = typename std::tuple_element<1, TestType>::type;
+  using Mesh = test_t_meshes::T_mesh<TMesh, FT>;
+  using Editor = CGAL::T_splines::T_mesh_editor<TMesh, typename Mesh::Knot_map, typename Mesh::Corner_map>;
+  int seed = 0;
+  for (const Faces<FT>& faces_given :
+       {test_t_meshes::cube<FT>(), test_t_meshes::torus<FT>(3, 2), test_t_meshes::torus<FT>(1, 1),
+        test_t_meshes::folded_square<FT>(), test_t_meshes::genus_two<FT>(),
+        test_t_meshes::pinwheel<FT>(FT(3) / FT(2)), test_t_meshes::rectangle<FT>(3, 2)}) {
+    INFO("surface " << seed);
+    Mesh t(faces_given);
+    Editor editor(t.mesh, t.knots(), t.corners());
+    split_randomly(editor, 60, ++seed);
+    const auto cones_before = cones(t);
+    const std::vector<double> before = aspect_ratios(t);
+    const auto report = CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots(), t.corners());
+    CHECK(is_admissible(t.mesh, t.knots(), t.corners()));
+    CHECK(cones(t) == cones_before);
+    const std::vector<double> after = aspect_ratios(t);
+    CHECK(report.faces_before == before.size());
+    CHECK(report.faces_after == after.size());
+    CHECK(report.worst_aspect_before == Approx(before.back()));
+    CHECK(report.worst_aspect_after == Approx(after.back()));
+    CHECK(report.median_aspect_before == Approx(before[before.size() / 2]));
+    CHECK(report.median_aspect_after == Approx(after[after.size() / 2]));
+    CHECK(before.back() > 50);
+    CHECK(after.back() < 15);
+    CHECK(after[after.size() / 2] < 3);
+    CHECK(report.removals + report.flips + report.partial_removals > 0);
+
+    // Nothing is left to do, but where neighbours of a changed face have been considered before it.
+    const auto again = CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots(), t.corners());
+    CHECK(again.worst_aspect_after <= report.worst_aspect_after);
+  }
+}
+
+TEST_CASE("points keep their places while a T-mesh is regularized", "[regularize_T_mesh]")
+{
+  using Mesh = test_t_meshes::T_mesh<Surface_mesh, Rational>;
+  using Development = test_t_meshes::Development<Surface_mesh, Rational>;
+  using Points = CGAL::T_splines::Carried_points<Surface_mesh, Rational, std::pair<Rational, Rational>>;
+  using Visitor = CGAL::T_splines::T_mesh_visitor_pair<Development::Visitor, Points::Visitor>;
+  using Editor = CGAL::T_splines::T_mesh_editor<Surface_mesh, Mesh::Knot_map, Mesh::Corner_map, Visitor>;
+  Mesh t(test_t_meshes::cube<Rational>());
+  Development development;
+  Points points;
+  for (std::size_t i = 0; i < t.face_list.size(); ++i) {
+    const Rational size(static_cast<int>(i) + 1);
+    development.set(t.face_list[i], {0, Rational(1) / size, 0, 0});
+    for (int k = 0; k < 100; ++k) {
+      const Rational u = Rational(k % 10) / 9, v = Rational(k / 10) / 9;
+      points.add(t.face_list[i], u * size, v * size, {u, v});
+    }
+  }
+  const Visitor visitor(development.visitor(), points.visitor());
+  Editor editor(t.mesh, t.knots(), t.corners(), visitor);
+  split_randomly(editor, 60, 3);
+  const auto report =
+      CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots(), t.corners(), parameters::visitor(visitor));
+  CHECK(report.partial_removals > 0);
+  CHECK(report.flips > 0);
+  const test_t_meshes::Lattice_group lattice;
+  CHECK(development.is_consistent(editor.coordinates(), lattice));
+  CHECK(development.area(editor.coordinates()) == 6);
+  std::size_t count = 0;
+  for (const auto f : faces(t.mesh)) {
+    for (const auto& p : points.points(f)) {
+      ++count;
+      CHECK(lattice.are_equivalent(development.of(f)(p.u, p.v), p.payload));
+      CHECK((p.u >= 0 && p.v >= 0 && p.u <= editor.coordinates().width(f) && p.v <= editor.coordinates().height(f)));
+    }
+  }
+  CHECK(count == 600);
+}
+
+TEST_CASE("constraints and bounds", "[regularize_T_mesh]")
+{
+  using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
+  Mesh t(test_t_meshes::torus<double>(1, 1));
+  CGAL::T_splines::T_mesh_editor<Surface_mesh, Mesh::Knot_map, Mesh::Corner_map> editor(t.mesh, t.knots(), t.corners());
+  for (int i = 1; i < 10; ++i)
+    REQUIRE(editor.split_face(t.face_list[0], 0, 1. - 0.1 * i));
+  REQUIRE(num_faces(t.mesh) == 10);
+
+  SECTION("constrained vertices keep their edges")
+  {
+    std::map<Surface_mesh::Vertex_index, bool> constrained;
+    for (const auto v : vertices(t.mesh))
+      constrained[v] = true;
+    const std::map<Surface_mesh::Vertex_index, bool> before = constrained;
+    CGAL::T_splines::regularize_T_mesh(
+        t.mesh, t.knots(), t.corners(),
+        parameters::vertex_is_constrained_map(boost::make_assoc_property_map(constrained)));
+    for (const auto& v : before) {
+      CHECK(t.mesh.is_valid(v.first));
+      CHECK(degree(v.first, t.mesh) == 4);
+    }
+  }
+  SECTION("no operation is allowed")
+  {
+    const auto report = CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots(), t.corners(),
+                                                           parameters::number_of_iterations(std::size_t(0)));
+    CHECK(report.faces_after == 10);
+    CHECK(report.worst_aspect_after == Approx(10));
+  }
+  SECTION("without constraints")
+  {
+    const auto report = CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots(), t.corners());
+    CHECK(report.faces_after < 5);
+    CHECK(report.worst_aspect_after < 3);
+  }
+}
+
+TEST_CASE("a T-mesh without faces", "[regularize_T_mesh]")
+{
+  using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
+  Mesh t{Faces<double>()};
+  CHECK(CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots(), t.corners()).faces_after == 0);
+}

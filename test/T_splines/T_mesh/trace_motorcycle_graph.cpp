@@ -1,0 +1,311 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Each map and graph is judged by `Seamless_map_checker` and `T_mesh_checker`, in exact arithmetic.
+
+#include "T_mesh/Traced_map.h"
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+using namespace hand_made_maps;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using Traced = Traced_map<Surface_mesh, Surface_mesh, Exact>;
+
+static Whole_check traced_and_checked(const Plain_map& map)
+{
+  REQUIRE(is_simple(map));
+  const Traced traced(map);
+  INFO(traced.message_text());
+  REQUIRE(traced.success());
+  const Whole_check check = check_all(traced);
+  INFO(check.text());
+  CHECK(check.success());
+  CHECK(traced.report.t_joints == static_cast<std::size_t>(check.t_mesh.t_joints));
+  return check;
+}
+
+static Plain_map flipped(Plain_map map, const unsigned seed)
+{
+  flip_at_random(map, 10 * static_cast<int>(map.triangles.size()), seed);
+  return map;
+}
+
+// The numbers of vertices, edges, faces, T-joints.
+static void require_counts(const Whole_check& check, const int vertices, const int edges, const int faces,
+                           const int t_joints)
+{
+  CHECK(check.t_mesh.vertices == vertices);
+  CHECK(check.t_mesh.edges == edges);
+  CHECK(check.t_mesh.faces == faces);
+  CHECK(check.t_mesh.t_joints == t_joints);
+}
+
+// Edges of the triangle mesh along an isoline that join two cones.
+static int isoline_edges_between_cones(const Plain_map& plain)
+{
+  const Traced traced(plain);
+  const Exact_map map = traced.exact_map();
+  int count = 0;
+  for (std::size_t h = 0; h < map.target.size(); ++h) {
+    const Exact_point e = map.uv[h] - map.uv[Exact_map::previous(static_cast<int>(h))];
+    const bool joins_cones =
+        map.quarter_turns[map.target[h]] != 4 && map.quarter_turns[map.source(static_cast<int>(h))] != 4;
+    count += joins_cones && (e.first == 0 || e.second == 0) && static_cast<int>(h) < map.opposite[h];
+  }
+  return count;
+}
+
+TEST_CASE("Cones joined by edges of the mesh: the graph of a cube is the cube", "[trace]")
+{
+  const Plain_map map = folded(net(cube(), 1, Pattern::DIAGONALS));
+  CHECK(isoline_edges_between_cones(map) == 12);
+  const Whole_check check = traced_and_checked(map);
+  require_counts(check, 8, 12, 6, 0);
+  CHECK(check.t_mesh.unequal_knots == 0);
+}
+
+TEST_CASE("Rays along edges and through regular vertices", "[trace]")
+{
+  for (const Pattern pattern :
+       {Pattern::DIAGONALS, Pattern::OTHER_DIAGONALS, Pattern::MIXED_DIAGONALS, Pattern::CROSSES})
+    for (const int n : {2, 3, 8})
+      require_counts(traced_and_checked(folded(net(cube(), n, pattern))), 8, 12, 6, 0);
+}
+
+TEST_CASE("Rays head-on on one isoline inside triangles and into other cones", "[trace]")
+{
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Plain_map map = flipped(folded(net(cube(), 1 + seed % 4, Pattern::MIXED_DIAGONALS, seed)), seed);
+    if (seed % 4 == 0)
+      CHECK(isoline_edges_between_cones(map) < 12);
+    require_counts(traced_and_checked(map), 8, 12, 6, 0);
+  }
+}
+
+TEST_CASE("Cones with k = 1, 2, 3, 5, 8, 28", "[trace]")
+{
+  for (const int k : {1, 2, 3, 5, 8, 28}) {
+    Net squares = net(double_star(k), 3, Pattern::CROSSES);
+    if (k == 1)
+      squares = subdivided(split(squares));
+    const Plain_map map = folded(squares);
+    for (const Plain_map& each : {map, flipped(map, 1), flipped(map, 2)}) {
+      const Whole_check check = traced_and_checked(each);
+      require_counts(check, 2 + 2 * k, 4 * k, 2 * k, 0);
+      CHECK(check.t_mesh.extraordinary_vertices == k + 2);
+    }
+  }
+}
+
+TEST_CASE("A cone whose rotation is the identity, and whose rays end in itself", "[trace]")
+{
+  for (const int n : {3, 4}) {
+    const Plain_map map = folded(net(translation_surface(), n, Pattern::MIXED_DIAGONALS));
+    require_counts(traced_and_checked(map), 1, 6, 3, 0);
+    require_counts(traced_and_checked(flipped(map, 5)), 1, 6, 3, 0);
+  }
+}
+
+TEST_CASE("Polycubes: cones with k = 3 and 5, crossings at vertices, on edges, in triangles", "[trace]")
+{
+  const std::set<std::array<int, 3>> l = {{{0, 0, 0}}, {{1, 0, 0}}, {{2, 0, 0}}, {{0, 1, 0}}};
+  const std::set<std::array<int, 3>> t = {{{0, 0, 0}}, {{1, 0, 0}}, {{2, 0, 0}}, {{1, 1, 0}}, {{1, 1, 1}}, {{1, 1, 2}}};
+  std::set<std::array<int, 3>> ring;
+  for (int x = 0; x < 3; ++x)
+    for (int y = 0; y < 4; ++y)
+      if (x != 1 || y == 0 || y == 3)
+        ring.insert({{x, y, 0}});
+  for (const auto& cubes : {l, t, ring})
+    for (unsigned seed = 0; seed < 8; ++seed) {
+      const Pattern pattern = seed % 2 ? Pattern::CROSSES : Pattern::MIXED_DIAGONALS;
+      const Plain_map map = folded(net(polycube(cubes), 1 + seed % 3, pattern, seed));
+      CHECK(traced_and_checked(map).t_mesh.unequal_knots == 0);
+      CHECK(traced_and_checked(flipped(map, seed)).t_mesh.unequal_knots == 0);
+    }
+}
+
+TEST_CASE("A ray ends exactly on an edge that is a trace itself", "[trace]")
+{
+  for (const double x : {0.5, 0.25, 0.375}) {
+    const Whole_check check = traced_and_checked(folded(folded_triangle({{1, 0}}, {{x, 1}})));
+    CHECK(check.map.cones == 4);
+  }
+}
+
+TEST_CASE("Rays cross the same triangles hundreds of times, many in one triangle", "[trace]")
+{
+  for (const double width : {1. / 64, 1. / 256, 1. / 512}) {
+    // A tube along a diagonal: what spirals around it one way goes to its other end.
+    const Plain_map map = folded(folded_triangle({{width, -63 * width / 64}}, {{1, 1 - 3 * width / 128}}));
+    REQUIRE(map.triangles.size() == 4);
+    const Traced traced(map);
+    REQUIRE(traced.success());
+    CHECK(traced.report.crossed_faces > 2 / width);
+    const Whole_check check = check_all(traced);
+    INFO(check.text());
+    CHECK(check.success());
+    CHECK(check.t_mesh.vertices - check.map.cones > 4); // crossings: more than there are triangles
+  }
+}
+
+TEST_CASE("Generic translation surfaces: cones with k = 12, twice k = 8", "[trace]")
+{
+  const std::vector<Position> octagon = {{{1, -0.25}}, {{0.75, 0.5}}, {{0.125, 1}}, {{-0.5, 0.75}}};
+  std::vector<Position> decagon = octagon;
+  decagon.push_back({{-1, 0.53125}});
+  for (const auto& sides : {octagon, decagon})
+    for (const bool is_fine : {false, true}) {
+      Net polygon = subdivided(subdivided(symmetric_polygon(sides)));
+      if (is_fine)
+        polygon = subdivided(polygon);
+      const Whole_check check = traced_and_checked(folded(polygon));
+      CHECK(check.map.cones == (sides.size() == 4 ? 1 : 2));
+      CHECK(check.t_mesh.extraordinary_vertices == check.map.cones);
+      traced_and_checked(flipped(folded(polygon), 9));
+    }
+}
+
+TEST_CASE("Tori without cones", "[trace]")
+{
+  for (const int shift : {0, 1, 2}) // closed isolines along edges
+    traced_and_checked(folded(net(square_torus(3, 2, shift), 2, Pattern::MIXED_DIAGONALS)));
+  for (const Position& a :
+       {Position{{1, 0}}, Position{{1, 0.25}}, Position{{0.99609375, 0.0078125}}, Position{{0.625, 0.376953125}}})
+    for (const Position& b : {Position{{0, 1}}, Position{{-0.25, 1}}, Position{{-0.380859375, 0.615234375}}}) {
+      const Plain_map map = folded(lattice_torus(a, b, 4, 3));
+      const Whole_check check = traced_and_checked(map);
+      CHECK(check.t_mesh.extraordinary_vertices == 0);
+      CHECK(check.t_mesh.unequal_knots == 0);
+      traced_and_checked(flipped(map, 4));
+    }
+}
+
+TEST_CASE("Tori with a scale factor, whose isolines spiral", "[trace]")
+{
+  for (const double scale : {1.5, 2., 1 + 1. / 16})
+    for (const int sectors : {1, 2, 4, 5})
+      for (const int turns : {0, 1}) {
+        const Whole_check check = traced_and_checked(folded(scaled_torus(scale, sectors, turns, 4, 4)));
+        INFO("scale " << scale << ", sectors " << sectors << ", turns " << turns);
+        CHECK(check.map.scaled_edges > 0);
+        CHECK(check.t_mesh.unequal_knots > 0);
+      }
+}
+
+TEST_CASE("A surface with a border: rays leave the reflex corner", "[trace]")
+{
+  for (const int n : {1, 3}) {
+    const Whole_check check = traced_and_checked(folded(bordered_l(n, Pattern::MIXED_DIAGONALS)));
+    require_counts(check, 8, 10, 3, 0);
+  }
+}
+
+TEST_CASE("Two components", "[trace]")
+{
+  Net both = net(cube(), 2, Pattern::CROSSES);
+  const Net other = net(double_star(5), 2, Pattern::CROSSES);
+  const int offset = static_cast<int>(both.at.size());
+  both.at.insert(both.at.end(), other.at.begin(), other.at.end());
+  for (auto t : other.triangles)
+    both.triangles.push_back({{t[0] + offset, t[1] + offset, t[2] + offset}});
+  for (auto g : other.glue)
+    both.glue.push_back({{g[0] + offset, g[1] + offset, g[2] + offset, g[3] + offset}});
+  const Whole_check check = traced_and_checked(folded(both));
+  CHECK(check.map.components == 2);
+  CHECK(check.t_mesh.faces == 16);
+}
+
+TEST_CASE("The same input gives the same graph, to the last digit", "[trace]")
+{
+  for (const Plain_map& map :
+       {flipped(folded(net(cube(), 3, Pattern::CROSSES)), 1),
+        folded(folded_triangle({{1, -0.0078125}}, {{0.380859375, 0.625}})), folded(scaled_torus(1.5, 4, 0, 4, 4))}) {
+    const Traced first(map), second(map);
+    REQUIRE(first.success());
+    CHECK(dump(first.exact_t_mesh()) == dump(second.exact_t_mesh()));
+  }
+}
+
+TEMPLATE_TEST_CASE("Models of triangle mesh and T-mesh, exact knots", "[trace]", (std::tuple<Surface_mesh, Polyhedron>),
+                   (std::tuple<Polyhedron, Surface_mesh>), (std::tuple<Polyhedron, Polyhedron>))
+{
+  using Other = Traced_map<std::tuple_element_t<0, TestType>, std::tuple_element_t<1, TestType>, Exact>;
+  for (const Plain_map& map :
+       {folded(net(cube(), 2, Pattern::CROSSES)), folded(folded_triangle({{1, 0.25}}, {{0.375, 1}})),
+        folded(net(translation_surface(), 3, Pattern::MIXED_DIAGONALS)), folded(scaled_torus(1.5, 4, 0, 4, 4))}) {
+    const Traced reference(map);
+    const Other other(map);
+    REQUIRE(other.success());
+    const Whole_check check = check_all(other);
+    INFO(check.text());
+    CHECK(check.success());
+    const Exact_t_mesh t = other.exact_t_mesh(), r = reference.exact_t_mesh();
+    CHECK(t.number_of_vertices == r.number_of_vertices);
+    CHECK(t.number_of_halfedges() == r.number_of_halfedges());
+    CHECK(t.number_of_faces() == r.number_of_faces());
+  }
+}
+
+TEMPLATE_TEST_CASE("Knots in doubles are those of the exact graph, rounded", "[trace]", Surface_mesh, Polyhedron)
+{
+  for (const Plain_map& map :
+       {flipped(folded(net(cube(), 3, Pattern::CROSSES)), 1),
+        folded(folded_triangle({{1, -0.0078125}}, {{0.380859375, 0.625}})), folded(scaled_torus(1.5, 4, 0, 4, 4))}) {
+    const Traced_map<Surface_mesh, TestType, double> rounded(map);
+    const Traced_map<Surface_mesh, TestType, Exact> exact(map);
+    REQUIRE(rounded.success());
+    REQUIRE(exact.success());
+    const Exact_t_mesh r = rounded.exact_t_mesh(), e = exact.exact_t_mesh();
+    CHECK(r.next == e.next);
+    CHECK(r.target == e.target);
+    CHECK(r.face == e.face);
+    CHECK(r.is_corner == e.is_corner);
+    CHECK(r.halfedge_of_face == e.halfedge_of_face);
+    for (int h = 0; h < e.number_of_halfedges(); ++h)
+      CHECK(std::abs(CGAL::to_double(Exact(r.knot[h] / e.knot[h] - 1))) < 1e-15);
+    for (std::size_t v = 0; v < e.place.size(); ++v) {
+      CHECK(r.place[v].face == e.place[v].face);
+      CHECK(CGAL::to_double(r.place[v].at.first) == Approx(CGAL::to_double(e.place[v].at.first)).margin(1e-12));
+      CHECK(CGAL::to_double(r.place[v].at.second) == Approx(CGAL::to_double(e.place[v].at.second)).margin(1e-12));
+    }
+    const T_mesh_check check = T_mesh_checker(rounded.exact_map(), r, 1e-12).check();
+    INFO(check.text());
+    CHECK(check.success());
+  }
+}
+
+TEST_CASE("The checker finds what is wrong with a T-mesh", "[trace]")
+{
+  const Traced traced(folded(net(cube(), 2, Pattern::CROSSES)));
+  REQUIRE(traced.success());
+  const Exact_map map = traced.exact_map();
+  const Exact_t_mesh right = traced.exact_t_mesh();
+  REQUIRE(T_mesh_checker(map, right).check().success());
+  const auto is_refused = [&](auto&& spoil) {
+    Exact_t_mesh wrong = right;
+    spoil(wrong);
+    return !T_mesh_checker(map, wrong).check().success();
+  };
+  CHECK(is_refused([](Exact_t_mesh& t) { t.knot[3] += 1; }));
+  CHECK(is_refused([](Exact_t_mesh& t) { t.knot[3] *= -1; }));
+  CHECK(is_refused([](Exact_t_mesh& t) { t.is_corner[5] = 0; }));
+  CHECK(is_refused([](Exact_t_mesh& t) { t.origin[0] = Exact_t_mesh::none; }));
+  CHECK(is_refused([](Exact_t_mesh& t) { t.halfedge_of_face[2] = t.next[t.halfedge_of_face[2]]; })); // another frame
+  CHECK(is_refused([](Exact_t_mesh& t) { t.anchor[1].triangle = (t.anchor[1].triangle + 24) % 48; }));
+  CHECK(is_refused([](Exact_t_mesh& t) { t.place[7].at.first += Exact(1) / 1024; }));
+  CHECK(is_refused([](Exact_t_mesh& t) { t.point[3][0] += 1e-6; }));
+  CHECK(is_refused([](Exact_t_mesh& t) { t.polyline[2].erase(t.polyline[2].begin() + 1); }));
+  CHECK(is_refused([](Exact_t_mesh& t) {
+    for (auto& knot : t.knot)
+      knot *= 2;
+  }));
+}
