@@ -104,10 +104,10 @@ inline void write_refined_figures(CGAL::T_splines::internal::Json_writer& json, 
   json.key("transitions").begin_array();
   for (const Figures::Transition& transition : refined.transitions)
     json.begin_object()
-      .member("quarter_turns", transition.quarter_turns)
-      .member("scale", transition.scale)
-      .member("edges", transition.edges)
-      .end_object();
+        .member("quarter_turns", transition.quarter_turns)
+        .member("scale", transition.scale)
+        .member("edges", transition.edges)
+        .end_object();
   json.end_array();
   json.end_object();
 }
@@ -132,7 +132,9 @@ inline std::string figures_as_json(const Figures& figures)
   json.member("program", "mesh_to_t_spline").member("version", figures.version);
   json.key("input").begin_object();
   json.member("name", figures.input.name).member("path", figures.input.path).member("note", figures.input.note);
-  json.member("vertices", figures.input.vertices).member("edges", figures.input.edges).member("faces", figures.input.faces);
+  json.member("vertices", figures.input.vertices)
+      .member("edges", figures.input.edges)
+      .member("faces", figures.input.faces);
   json.member("components", figures.input.components).member("genus", figures.input.genus);
   json.end_object();
   write_signature_figures(json, figures.signature);

@@ -16,7 +16,7 @@
 constexpr std::string_view program_version = "0.1.0";
 
 constexpr std::string_view help_text =
-  R"(Usage: mesh_to_t_spline MESH [OPTION...]
+    R"(Usage: mesh_to_t_spline MESH [OPTION...]
        mesh_to_t_spline --uv MAP [OPTION...]
 
 Computes a seamless similarity map of a closed triangle mesh, guided by a cross field, and from it a T-mesh with

@@ -54,7 +54,8 @@ public:
     if (m_name.empty())
       return;
     const double seconds = seconds_since(m_stage_begin);
-    const auto stage = std::find_if(m_stages.begin(), m_stages.end(), [this](const auto& s) { return s.name == m_name; });
+    const auto stage =
+        std::find_if(m_stages.begin(), m_stages.end(), [this](const auto& s) { return s.name == m_name; });
     if (stage == m_stages.end())
       m_stages.push_back({m_name, seconds});
     else
@@ -71,8 +72,14 @@ public:
       show(fraction);
   }
 
-  const std::vector<Figures::Stage>& stages() const { return m_stages; }
-  double seconds() const { return seconds_since(m_begin); }
+  const std::vector<Figures::Stage>& stages() const
+  {
+    return m_stages;
+  }
+  double seconds() const
+  {
+    return seconds_since(m_begin);
+  }
 
 private:
   using Clock = std::chrono::steady_clock;

@@ -34,7 +34,8 @@ using Transition = CGAL::T_splines::Similarity_2<double>;
 struct Refined_map {
   Mesh mesh;
   Mesh::Property_map<Halfedge, Kernel::Point_2> uv = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
-  Mesh::Property_map<Halfedge, Transition> transition = mesh.add_property_map<Halfedge, Transition>("h:transition").first;
+  Mesh::Property_map<Halfedge, Transition> transition =
+      mesh.add_property_map<Halfedge, Transition>("h:transition").first;
   Mesh::Property_map<Edge, bool> is_cut = mesh.add_property_map<Edge, bool>("e:is_cut", false).first;
   Mesh::Property_map<Vertex, Location> location = mesh.add_property_map<Vertex, Location>("v:location").first;
 
@@ -122,7 +123,9 @@ inline double scale_range(const Refined_map& refined)
   double low = HUGE_VAL, high = 0;
   for (const Face f : refined.mesh.faces()) {
     const Halfedge h = refined.mesh.halfedge(f), g = refined.mesh.next(h), k = refined.mesh.next(g);
-    const auto point = [&refined](const Halfedge halfedge) { return refined.mesh.point(refined.mesh.target(halfedge)); };
+    const auto point = [&refined](const Halfedge halfedge) {
+      return refined.mesh.point(refined.mesh.target(halfedge));
+    };
     const double area = std::sqrt(CGAL::squared_area(point(h), point(g), point(k)));
     const double uv_area = CGAL::area(refined.uv[h], refined.uv[g], refined.uv[k]);
     low = std::min(low, uv_area / area);
@@ -136,8 +139,8 @@ inline Figures::Refined refined_figures(const Refined_map& refined)
   Figures::Refined figures;
   figures.vertices = refined.mesh.number_of_vertices();
   figures.faces = refined.mesh.number_of_faces();
-  figures.cut_edges = static_cast<std::size_t>(
-    std::count_if(refined.mesh.edges().begin(), refined.mesh.edges().end(), [&](const Edge e) { return refined.is_cut[e]; }));
+  figures.cut_edges = static_cast<std::size_t>(std::count_if(refined.mesh.edges().begin(), refined.mesh.edges().end(),
+                                                             [&](const Edge e) { return refined.is_cut[e]; }));
   figures.scale_range = scale_range(refined);
   figures.transitions = distinct_transitions(refined);
   return figures;

@@ -54,8 +54,8 @@ inline void print_scales(std::ostream& out, const std::vector<Figures::Transitio
 inline void print_t_mesh(std::ostream& out, const char* name, const T_mesh_figures& t_mesh)
 {
   out << name << t_mesh.faces << " faces, " << t_mesh.vertices << " vertices, " << t_mesh.t_joints
-      << " T-joints; aspect ratio at worst 1:" << std::setprecision(3) << t_mesh.worst_aspect_ratio << ", median 1:"
-      << t_mesh.median_aspect_ratio << "\n";
+      << " T-joints; aspect ratio at worst 1:" << std::setprecision(3) << t_mesh.worst_aspect_ratio
+      << ", median 1:" << t_mesh.median_aspect_ratio << "\n";
 }
 
 inline void print_exact_map(std::ostream& out, const Exact_map_figures& exact)
@@ -70,10 +70,9 @@ inline void print_exact_map(std::ostream& out, const Exact_map_figures& exact)
 
 inline void print_tracing(std::ostream& out, const Tracing_figures& tracing)
 {
-  const double share = tracing.predicate_calls == 0
-                           ? 100
-                           : 100 - 100 * static_cast<double>(tracing.exact_predicate_calls) /
-                                       static_cast<double>(tracing.predicate_calls);
+  const double share = tracing.predicate_calls == 0 ? 100
+                                                    : 100 - 100 * static_cast<double>(tracing.exact_predicate_calls) /
+                                                                static_cast<double>(tracing.predicate_calls);
   out << "  tracing     " << tracing.motorcycles << " motorcycles, " << tracing.seeds << " seeds, "
       << tracing.crossed_faces << " crossed triangles; " << std::setprecision(6) << share << " % of "
       << tracing.predicate_calls << " predicate calls answered by the filter\n";
@@ -82,8 +81,8 @@ inline void print_tracing(std::ostream& out, const Tracing_figures& tracing)
 /// What the user reads at the end.
 inline void print_summary(std::ostream& out, const Figures& figures)
 {
-  out << figures.input.name << ": " << figures.input.vertices << " vertices, " << figures.input.faces << " faces, genus "
-      << figures.input.genus;
+  out << figures.input.name << ": " << figures.input.vertices << " vertices, " << figures.input.faces
+      << " faces, genus " << figures.input.genus;
   if (figures.input.components > 1)
     out << ", " << figures.input.components << " components";
   out << "\n";

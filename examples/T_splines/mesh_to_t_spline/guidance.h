@@ -57,10 +57,12 @@ inline std::string describe(const Signature_report& report)
     text += ": vertex " + index_of(report.vertex) + " has k = " + std::to_string(report.actual);
     break;
   case Status::GAUSS_BONNET_VIOLATED:
-    text += ": the sum over component " + std::to_string(report.component) + numbers + " (off by "
-            + std::to_string(report.actual - report.expected) + ")";
+    text += ": the sum over component " + std::to_string(report.component) + numbers + " (off by " +
+            std::to_string(report.actual - report.expected) + ")";
     break;
-  case Status::WRONG_NUMBER_OF_LOOPS: text += ": the number in component " + std::to_string(report.component) + numbers; break;
+  case Status::WRONG_NUMBER_OF_LOOPS:
+    text += ": the number in component " + std::to_string(report.component) + numbers;
+    break;
   case Status::WRONG_NUMBER_OF_TURNS: text += ": the number of turning numbers" + numbers; break;
   case Status::INVALID_LOOP:
   case Status::LOOP_NOT_INTEGER: text += ": loop " + std::to_string(report.index); break;
@@ -86,12 +88,14 @@ inline std::string describe(const CGAL::T_splines::Field_file_report& report)
     text += " (" + std::to_string(report.actual) + " instead of " + std::to_string(report.expected) + ")";
     break;
   case Status::INDEX_OUT_OF_RANGE:
-    text += " (vertex " + std::to_string(report.actual) + ", counted from 0, of " + std::to_string(report.expected) + ")";
+    text +=
+        " (vertex " + std::to_string(report.actual) + ", counted from 0, of " + std::to_string(report.expected) + ")";
     break;
   case Status::DUPLICATE_CONE:
   case Status::NOT_A_QUARTER_TURN: text += " (vertex " + std::to_string(report.index) + ", counted from 0)"; break;
   case Status::NON_POSITIVE_CONE:
-    text += " (vertex " + std::to_string(report.index) + ", counted from 0, has k = " + std::to_string(report.actual) + ")";
+    text +=
+        " (vertex " + std::to_string(report.index) + ", counted from 0, has k = " + std::to_string(report.actual) + ")";
     break;
   case Status::ZERO_VECTOR:
   case Status::NOT_TANGENT:
@@ -125,8 +129,8 @@ inline Guidance_result signature_of_computed_field(const Options& options, Mesh&
 {
   const Cross_field field = mesh.add_property_map<Face, Kernel::Vector_3>("f:cross").first;
   const auto np = CGAL::T_splines::parameters::curvature_alignment(options.curvature_alignment)
-                    .visitor(Progress_handle(progress))
-                    .sparse_linear_solver(std::ref(solver));
+                      .visitor(Progress_handle(progress))
+                      .sparse_linear_solver(std::ref(solver));
   const auto report = CGAL::T_splines::compute_smooth_cross_field(mesh, field, np);
   if (!report.success())
     return {options.mesh + ": cross field: " + message(report.status), false};
@@ -156,7 +160,8 @@ inline Guidance_result signature_of_field_file(const std::string& filename, Mesh
   else if (ends_with(filename, ".ffield"))
     report = T::read_ffield(input, mesh, field, matching);
   else
-    return {filename + ": the file format is not known; fields are read from .rawfield, .crossfield, .rosy and .ffield", true};
+    return {filename + ": the file format is not known; fields are read from .rawfield, .crossfield, .rosy and .ffield",
+            true};
   if (!report.success())
     return {filename + ": " + describe(report), true};
   if (ends_with(filename, ".ffield"))
@@ -181,8 +186,9 @@ inline Guidance_result signature_of_cone_file(const Options& options, const Mesh
   if (!file_report.success())
     return {filename + ": " + describe(file_report), true};
   const Signature_report report =
-    options.loops ? T::holonomy_signature_of_cones(mesh, cones, signature, T::parameters::loop_turning_numbers(*options.loops))
-                  : T::holonomy_signature_of_cones(mesh, cones, signature);
+      options.loops
+          ? T::holonomy_signature_of_cones(mesh, cones, signature, T::parameters::loop_turning_numbers(*options.loops))
+          : T::holonomy_signature_of_cones(mesh, cones, signature);
   if (report.success())
     return {};
   const bool is_about_loops = report.status == T::Holonomy_signature_status::WRONG_NUMBER_OF_TURNS;
@@ -190,8 +196,8 @@ inline Guidance_result signature_of_cone_file(const Options& options, const Mesh
 }
 
 /// Finds the signature as the options say.
-inline Guidance_result find_signature(const Options& options, Mesh& mesh, Chosen_spd_solver_traits& solver, Progress& progress,
-                                      Signature& signature, Figures::Signature& figures)
+inline Guidance_result find_signature(const Options& options, Mesh& mesh, Chosen_spd_solver_traits& solver,
+                                      Progress& progress, Signature& signature, Figures::Signature& figures)
 {
   Guidance_result result;
   if (!options.field.empty() || !options.cones.empty())

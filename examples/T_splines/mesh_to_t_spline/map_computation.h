@@ -53,7 +53,7 @@ inline std::string describe_failure(const Map_report& report)
   if (report.face != Mesh::null_face())
     text << ", face " << static_cast<std::size_t>(report.face);
   const bool has_element =
-    report.vertex != Mesh::null_vertex() || report.loop != Map_report::no_loop || report.face != Mesh::null_face();
+      report.vertex != Mesh::null_vertex() || report.loop != Map_report::no_loop || report.face != Mesh::null_face();
   text << (has_element ? ", counted from 0)" : ")");
   if (report.hyperbolic_length > 0)
     text << "; the short loop closest to its limit has a scale factor of exp(" << report.scale_period
@@ -68,12 +68,13 @@ inline std::string compute_map(const Options& options, const Mesh& mesh, const S
 {
   namespace P = CGAL::T_splines::parameters;
   const auto outputs = P::edge_is_cut_map(
-    refined.is_cut, P::vertex_location_map(refined.location, P::halfedge_transition_map(refined.transition)));
+      refined.is_cut, P::vertex_location_map(refined.location, P::halfedge_transition_map(refined.transition)));
   const Map_report report = with_chosen_types(options, [&](const auto policy, const auto zero) {
-    const auto np = P::flip_policy(policy, P::number_type(zero, P::residual_tolerance(options.residual_tolerance, outputs)))
-                      .visitor(Progress_handle(progress))
-                      .number_of_iterations(options.max_iterations)
-                      .sparse_linear_solver(std::ref(solver));
+    const auto np =
+        P::flip_policy(policy, P::number_type(zero, P::residual_tolerance(options.residual_tolerance, outputs)))
+            .visitor(Progress_handle(progress))
+            .number_of_iterations(options.max_iterations)
+            .sparse_linear_solver(std::ref(solver));
     return CGAL::T_splines::compute_seamless_similarity_map(mesh, signature, refined.mesh, refined.uv, np);
   });
   progress.end_stage();

@@ -67,7 +67,8 @@ struct Page_mesh {
   std::vector<std::uint8_t> edge_flags;
 };
 
-/// Positions on the page are moved and scaled so that the bounding box of the mesh is centred at 0 and has the diagonal 2.
+/// Positions on the page are moved and scaled so that the bounding box of the mesh is centred at 0 and has the diagonal
+/// 2.
 class Page_frame {
 public:
   explicit Page_frame(const CGAL::Bbox_3& box)
@@ -139,7 +140,8 @@ Page_mesh page_mesh(const FaceGraph& mesh, const VertexPointMap vertex_point_map
   return result;
 }
 
-/// Hands the page to `sink`, a function object that takes a `std::string_view`: the template with the files of the folder page
+/// Hands the page to `sink`, a function object that takes a `std::string_view`: the template with the files of the
+/// folder page
 /// and the data in the places that are marked by `@name@`.
 /// \param traced, regular the T-mesh before and after regularization; empty where there is none
 template <typename Sink>
@@ -147,18 +149,18 @@ void write_report_page(Sink& sink, const std::string& report_as_json, const Page
                        const T_mesh_drawing& traced, const T_mesh_drawing& regular)
 {
   const std::map<std::string_view, std::function<std::string()>> data = {
-    {"report", [&] { return report_as_json; }},
-    {"positions", [&] { return base64_of_array(mesh.positions); }},
-    {"uv", [&] { return base64_of_array(mesh.uv); }},
-    {"uv_vertices", [&] { return base64_of_array(mesh.uv_vertices); }},
-    {"triangles", [&] { return base64_of_array(mesh.triangles); }},
-    {"edge_flags", [&] { return base64_of_array(mesh.edge_flags); }},
-    {"traced_points", [&] { return base64_of_array(frame.positions(traced.points)); }},
-    {"traced_sizes", [&] { return base64_of_array(traced.sizes); }},
-    {"traced_joints", [&] { return base64_of_array(frame.positions(traced.t_joints)); }},
-    {"regular_points", [&] { return base64_of_array(frame.positions(regular.points)); }},
-    {"regular_sizes", [&] { return base64_of_array(regular.sizes); }},
-    {"regular_joints", [&] { return base64_of_array(frame.positions(regular.t_joints)); }}};
+      {"report", [&] { return report_as_json; }},
+      {"positions", [&] { return base64_of_array(mesh.positions); }},
+      {"uv", [&] { return base64_of_array(mesh.uv); }},
+      {"uv_vertices", [&] { return base64_of_array(mesh.uv_vertices); }},
+      {"triangles", [&] { return base64_of_array(mesh.triangles); }},
+      {"edge_flags", [&] { return base64_of_array(mesh.edge_flags); }},
+      {"traced_points", [&] { return base64_of_array(frame.positions(traced.points)); }},
+      {"traced_sizes", [&] { return base64_of_array(traced.sizes); }},
+      {"traced_joints", [&] { return base64_of_array(frame.positions(traced.t_joints)); }},
+      {"regular_points", [&] { return base64_of_array(frame.positions(regular.points)); }},
+      {"regular_sizes", [&] { return base64_of_array(regular.sizes); }},
+      {"regular_joints", [&] { return base64_of_array(frame.positions(regular.t_joints)); }}};
   std::string_view rest = report_page_file("page.html");
   for (std::size_t begin = rest.find('@'); begin != std::string_view::npos; begin = rest.find('@')) {
     const std::size_t end = rest.find('@', begin + 1);

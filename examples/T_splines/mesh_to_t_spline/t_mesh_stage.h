@@ -18,7 +18,8 @@
 #include <string>
 
 /// \return why there is no T-mesh; empty if there is one.
-inline std::string trace_t_mesh(const Exact_map& map, Progress& progress, Surface_t_mesh& t, T_mesh_stage_figures& figures)
+inline std::string trace_t_mesh(const Exact_map& map, Progress& progress, Surface_t_mesh& t,
+                                T_mesh_stage_figures& figures)
 {
   namespace P = CGAL::T_splines::parameters;
   const auto np = P::edge_polyline_map(t.polylines, P::face_anchor_map(t.anchors)).visitor(Progress_handle(progress));

@@ -106,7 +106,8 @@ public:
     for (const auto h : halfedges(mesh)) {
       const face_descriptor null = boost::graph_traits<TMesh>::null_face();
       const face_descriptor f = face(h, mesh), g = face(opposite(h, mesh), mesh);
-      if (f != null && g != null && !group.contains(compose(compose(of(g), coordinates.transition(h)), of(f).inverse())))
+      if (f != null && g != null &&
+          !group.contains(compose(compose(of(g), coordinates.transition(h)), of(f).inverse())))
         return false;
     }
     return true;

@@ -24,11 +24,11 @@ using FT = CGAL::Exact_rational;
 
 } // namespace
 
-TEMPLATE_TEST_CASE("frames of faces and the similarities between them", "[T_mesh_coordinates]", Surface_mesh, Polyhedron)
+TEMPLATE_TEST_CASE("frames of faces and the similarities between them", "[T_mesh_coordinates]", Surface_mesh,
+                   Polyhedron)
 {
   using Mesh = test_t_meshes::T_mesh<TestType, FT>;
-  using Coordinates =
-      CGAL::T_splines::T_mesh_coordinates<TestType, typename Mesh::Knot_map, typename Mesh::Corner_map>;
+  using Coordinates = CGAL::T_splines::T_mesh_coordinates<TestType, typename Mesh::Knot_map, typename Mesh::Corner_map>;
   for (const auto& faces_given :
        {test_t_meshes::cube<FT>(), test_t_meshes::torus<FT>(3, 2), test_t_meshes::folded_square<FT>(),
         test_t_meshes::genus_two<FT>(), test_t_meshes::pinwheel<FT>(FT(7) / 3), test_t_meshes::rectangle<FT>(2, 2)}) {

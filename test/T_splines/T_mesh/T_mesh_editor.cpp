@@ -50,7 +50,8 @@ public:
   explicit Scene(const test_t_meshes::Faces<FT>& faces)
     : mesh(faces),
       editor(mesh.mesh, mesh.knots(), mesh.corners(), Visitor(development.visitor(), points.visitor()))
-  {}
+  {
+  }
 
   // Square number i has the unit i + 1.
   void develop_squares()
@@ -70,7 +71,8 @@ public:
     for (const auto f : faces(mesh.mesh)) {
       for (int i = 0; i <= n; ++i) {
         for (int j = 0; j <= n; ++j) {
-          const FT u = editor.coordinates().width(f) * FT(i) / FT(n), v = editor.coordinates().height(f) * FT(j) / FT(n);
+          const FT u = editor.coordinates().width(f) * FT(i) / FT(n),
+                   v = editor.coordinates().height(f) * FT(j) / FT(n);
           points.add(f, u, v, development.of(f)(u, v));
           ++number_of_points;
         }
@@ -127,7 +129,8 @@ public:
 Rational number_between(const Rational& a, const Rational& b, CGAL::Random& random)
 {
   const int exponent = std::ilogb(CGAL::to_double(Rational(b - a))) - 4;
-  const Rational unit = exponent < 0 ? Rational(1) / Rational(std::ldexp(1., -exponent)) : Rational(std::ldexp(1., exponent));
+  const Rational unit =
+      exponent < 0 ? Rational(1) / Rational(std::ldexp(1., -exponent)) : Rational(std::ldexp(1., exponent));
   const double first = std::floor(CGAL::to_double(Rational(a / unit)));
   return unit * Rational(first + random.get_int(1, 16));
 }
@@ -189,8 +192,8 @@ bool edit_randomly(Scene& scene, const std::size_t large, CGAL::Random& random, 
 template <typename Scene>
 bool is_admissible_where_touched(Scene& scene)
 {
-  const CGAL::T_splines::internal::Admissibility_check<
-      typename Scene::Mesh::TMesh, typename Scene::Mesh::Knot_map, typename Scene::Mesh::Corner_map>
+  const CGAL::T_splines::internal::Admissibility_check<typename Scene::Mesh::TMesh, typename Scene::Mesh::Knot_map,
+                                                       typename Scene::Mesh::Corner_map>
       check(scene.mesh.mesh, scene.mesh.knots(), scene.mesh.corners(), 1e-9);
   CGAL::T_splines::Admissibility_report<typename Scene::Mesh::TMesh> report;
   for (const auto f : scene.development.touched()) {
@@ -257,7 +260,8 @@ void edit_and_check(Scene& scene, const Group& group, const bool has_area, const
 
 } // namespace
 
-TEMPLATE_TEST_CASE("random operations in exact arithmetic keep the surface", "[T_mesh_editor]", Surface_mesh, Polyhedron)
+TEMPLATE_TEST_CASE("random operations in exact arithmetic keep the surface", "[T_mesh_editor]", Surface_mesh,
+                   Polyhedron)
 {
   using Scene = ::Scene<TestType, Rational>;
   const test_t_meshes::Lattice_group lattice;
@@ -267,13 +271,34 @@ TEMPLATE_TEST_CASE("random operations in exact arithmetic keep the surface", "[T
     scene.develop_squares();
     edit_and_check(scene, lattice, true, operations, seed);
   };
-  SECTION("on a cube") { check_squares(test_t_meshes::cube<Rational>(), many, 1); }
-  SECTION("on a torus") { check_squares(test_t_meshes::torus<Rational>(3, 2), fewer, 2); }
-  SECTION("on a torus of one face") { check_squares(test_t_meshes::torus<Rational>(1, 1), fewer, 3); }
-  SECTION("on a folded square") { check_squares(test_t_meshes::folded_square<Rational>(), fewer, 4); }
-  SECTION("on a pillow") { check_squares(test_t_meshes::pillow<Rational>(), fewer, 5); }
-  SECTION("on a surface of genus two") { check_squares(test_t_meshes::genus_two<Rational>(), many, 6); }
-  SECTION("on a rectangle with a border") { check_squares(test_t_meshes::rectangle<Rational>(3, 2), fewer, 7); }
+  SECTION("on a cube")
+  {
+    check_squares(test_t_meshes::cube<Rational>(), many, 1);
+  }
+  SECTION("on a torus")
+  {
+    check_squares(test_t_meshes::torus<Rational>(3, 2), fewer, 2);
+  }
+  SECTION("on a torus of one face")
+  {
+    check_squares(test_t_meshes::torus<Rational>(1, 1), fewer, 3);
+  }
+  SECTION("on a folded square")
+  {
+    check_squares(test_t_meshes::folded_square<Rational>(), fewer, 4);
+  }
+  SECTION("on a pillow")
+  {
+    check_squares(test_t_meshes::pillow<Rational>(), fewer, 5);
+  }
+  SECTION("on a surface of genus two")
+  {
+    check_squares(test_t_meshes::genus_two<Rational>(), fewer, 6);
+  }
+  SECTION("on a rectangle with a border")
+  {
+    check_squares(test_t_meshes::rectangle<Rational>(3, 2), fewer, 7);
+  }
   SECTION("on a torus with spiralling lines")
   {
     const Rational c = Rational(3) / 2;
@@ -286,10 +311,9 @@ TEMPLATE_TEST_CASE("random operations in exact arithmetic keep the surface", "[T
 TEMPLATE_TEST_CASE("random operations with rounded knots keep them admissible", "[T_mesh_editor]", Surface_mesh,
                    Polyhedron)
 {
-  const std::vector<test_t_meshes::Faces<double>> surfaces{test_t_meshes::cube<double>(),
-                                                           test_t_meshes::genus_two<double>(),
-                                                           test_t_meshes::rectangle<double>(3, 2),
-                                                           test_t_meshes::pinwheel<double>(1.3)};
+  const std::vector<test_t_meshes::Faces<double>> surfaces{
+      test_t_meshes::cube<double>(), test_t_meshes::genus_two<double>(), test_t_meshes::rectangle<double>(3, 2),
+      test_t_meshes::pinwheel<double>(1.3)};
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     INFO("surface " << i);
     Scene<TestType, double> scene(surfaces[i]);
@@ -309,8 +333,9 @@ TEMPLATE_TEST_CASE("random operations with rounded knots keep them admissible", 
 namespace {
 
 template <typename FT>
-using Simple_editor = CGAL::T_splines::T_mesh_editor<Surface_mesh, typename test_t_meshes::T_mesh<Surface_mesh, FT>::Knot_map,
-                                                     typename test_t_meshes::T_mesh<Surface_mesh, FT>::Corner_map>;
+using Simple_editor =
+    CGAL::T_splines::T_mesh_editor<Surface_mesh, typename test_t_meshes::T_mesh<Surface_mesh, FT>::Knot_map,
+                                   typename test_t_meshes::T_mesh<Surface_mesh, FT>::Corner_map>;
 
 // One face above two, which meet at x; all of height 1/2.
 template <typename FT>
@@ -342,8 +367,8 @@ TEST_CASE("an edge that is a full side of two faces is removed", "[T_mesh_editor
     CHECK(editor.coordinates().width(t.face_list[1]) == 4);
     CHECK(editor.coordinates().height(t.face_list[1]) == 2);
   }
-  CHECK(num_faces(t.mesh) == 1);
-  CHECK(num_vertices(t.mesh) == 4); // the ends of the edge vanished
+  CHECK(t.mesh.number_of_faces() == 1);
+  CHECK(t.mesh.number_of_vertices() == 4); // the ends of the edge vanished
 }
 
 TEST_CASE("a flip inserts an orthogonal edge", "[T_mesh_editor]")
@@ -360,7 +385,7 @@ TEST_CASE("a flip inserts an orthogonal edge", "[T_mesh_editor]")
   CHECK(f == t.face_list[1]);
   CHECK(editor.coordinates().width(f) == x);
   CHECK(editor.coordinates().height(f) == 1);
-  CHECK(num_faces(t.mesh) == 3);
+  CHECK(t.mesh.number_of_faces() == 3);
   CHECK(CGAL::T_splines::is_admissible(t.mesh, t.knots(), t.corners()));
 }
 
@@ -376,10 +401,10 @@ TEST_CASE("between cones only the middle of an edge can be removed", "[T_mesh_ed
   CHECK(editor.remove_partly(h, Rational(1) / 2, Rational(1) / 4).status == Status::OUTSIDE);
   CHECK(editor.remove_partly(h, Rational(-1) / 2, Rational(1) / 4).status == Status::OUTSIDE);
   CHECK(editor.remove_partly(h, Rational(1) / 2, 2).status == Status::OUTSIDE);
-  CHECK(num_faces(t.mesh) == 6);
+  CHECK(t.mesh.number_of_faces() == 6);
   const auto edit = editor.remove_partly(h, Rational(1) / 4, Rational(3) / 4);
   REQUIRE(edit);
-  CHECK(num_faces(t.mesh) == 9); // two faces became three each, two of these one
+  CHECK(t.mesh.number_of_faces() == 9); // two faces became three each, two of these one
   CHECK(CGAL::T_splines::is_admissible(t.mesh, t.knots(), t.corners()));
   const auto f = face(edit.halfedge, t.mesh);
   CHECK(editor.coordinates().width(f) == Rational(1) / 2);
@@ -400,16 +425,16 @@ TEST_CASE("a T-joint is extended, an edge ends at a vertex that is there", "[T_m
   Simple_editor<Rational> editor(t.mesh, t.knots(), t.corners());
   CHECK(editor.extend(t.halfedge_of(0, 2)).status == Status::NO_T_JOINT);
   CHECK(editor.extend(opposite(t.halfedge_of(0, 2), t.mesh)).status == Status::NO_FACE);
-  const auto vertices_before = num_vertices(t.mesh);
+  const auto vertices_before = t.mesh.number_of_vertices();
   const auto edit = editor.extend(t.halfedge_of(0, 0));
   REQUIRE(edit);
-  CHECK(num_vertices(t.mesh) == vertices_before + 1);
+  CHECK(t.mesh.number_of_vertices() == vertices_before + 1);
   CHECK(editor.coordinates().width(face(edit.halfedge, t.mesh)) == Rational(1) / 3);
   // The same line in the lower face would have met the T-joint: the upper face is cut from below now.
   REQUIRE(editor.remove_edge(edit.halfedge));
-  CHECK(num_vertices(t.mesh) == vertices_before);
+  CHECK(t.mesh.number_of_vertices() == vertices_before);
   REQUIRE(editor.split_face(t.face_list[0], 0, Rational(1) / 3));
-  CHECK(num_vertices(t.mesh) == vertices_before + 1);
+  CHECK(t.mesh.number_of_vertices() == vertices_before + 1);
 }
 
 TEST_CASE("lines outside of a face are refused", "[T_mesh_editor]")
@@ -424,7 +449,7 @@ TEST_CASE("lines outside of a face are refused", "[T_mesh_editor]")
   CHECK(editor.can_remove(t.halfedge_of(0, 0)) == Status::SAME_FACE);
   CHECK(editor.flip_edge(t.halfedge_of(0, 0)).status == Status::SAME_FACE);
   CHECK(editor.remove_vertex(t.halfedge_of(0, 0)).status == Status::NOT_REMOVABLE);
-  CHECK(num_halfedges(t.mesh) == 4);
+  CHECK(t.mesh.number_of_halfedges() == 4);
 }
 
 TEST_CASE("lines are shifted between their neighbours", "[T_mesh_editor]")
@@ -479,5 +504,5 @@ TEST_CASE("a vertex is inserted into an edge and removed again", "[T_mesh_editor
   CHECK(editor.remove_vertex(h).status == Status::FIXED_VERTEX);
   REQUIRE(editor.remove_vertex(edit.halfedge));
   CHECK(get(t.knots(), edit.halfedge) == 2);
-  CHECK(num_halfedges(t.mesh) == 24);
+  CHECK(t.mesh.number_of_halfedges() == 24);
 }

@@ -29,19 +29,20 @@ using Status = CGAL::T_splines::Admissibility_status;
 using CGAL::T_splines::is_admissible;
 using test_t_meshes::Faces;
 
-// Two rings around a cylinder, one face each, as in [CZ17] Fig. 6 right: with one turn the upper one becomes higher by the
-// edge 3, the lower one lower by the edge 6. The edge 0 between them is closed.
+// Two rings around a cylinder, one face each, as in [CZ17] Fig. 6 right: with one turn the upper one becomes higher by
+// the edge 3, the lower one lower by the edge 6. The edge 0 between them is closed.
 template <typename FT>
 Faces<FT> two_rings(const FT& upper_seam_left, const FT& upper_seam_right, const FT& upper_step,
                     const FT& lower_seam_left, const FT& lower_seam_right, const FT& lower_step)
 {
   const FT one(1);
-  return {{{0, one, true}, {2, upper_seam_right, false}, {3, upper_step, true}, {1, one, true}, {2, upper_seam_left, true}},
-          {{4, one, true},
-           {5, lower_seam_right, true},
-           {0, one, true},
-           {5, lower_seam_left, false},
-           {6, lower_step, true}}};
+  return {
+      {{0, one, true}, {2, upper_seam_right, false}, {3, upper_step, true}, {1, one, true}, {2, upper_seam_left, true}},
+      {{4, one, true},
+       {5, lower_seam_right, true},
+       {0, one, true},
+       {5, lower_seam_left, false},
+       {6, lower_step, true}}};
 }
 
 template <typename FT>

@@ -36,8 +36,8 @@ template <typename Mesh>
 using Coordinates =
     CGAL::T_splines::T_mesh_coordinates<typename Mesh::TMesh, typename Mesh::Knot_map, typename Mesh::Corner_map>;
 template <typename Mesh>
-using Parametric_size = CGAL::T_splines::Parametric_face_size<typename Mesh::TMesh, typename Mesh::Knot_map,
-                                                              typename Mesh::Corner_map>;
+using Parametric_size =
+    CGAL::T_splines::Parametric_face_size<typename Mesh::TMesh, typename Mesh::Knot_map, typename Mesh::Corner_map>;
 
 } // namespace
 
@@ -54,8 +54,7 @@ TEMPLATE_TEST_CASE("faces become smaller than the target, not much smaller", "[r
     Mesh t(faces_given);
     const std::size_t faces_before = t.face_list.size();
     const Coordinates<Mesh> coordinates(t.mesh, t.knots(), t.corners());
-    const auto report =
-        refine_T_mesh(t.mesh, t.knots(), t.corners(), Parametric_size<Mesh>(coordinates), 0.3);
+    const auto report = refine_T_mesh(t.mesh, t.knots(), t.corners(), Parametric_size<Mesh>(coordinates), 0.3);
     CHECK(report.success());
     CHECK(is_admissible(t.mesh, t.knots(), t.corners()));
     std::size_t count = 0;
@@ -108,8 +107,7 @@ TEST_CASE("sizes on a surface, by the points that the T-mesh carries", "[refine_
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, Rational>;
   using Points = CGAL::T_splines::Carried_points<Surface_mesh, double, Kernel::Point_3>;
-  using Size =
-      CGAL::T_splines::Surface_face_size<Surface_mesh, Mesh::Knot_map, Mesh::Corner_map, Points>;
+  using Size = CGAL::T_splines::Surface_face_size<Surface_mesh, Mesh::Knot_map, Mesh::Corner_map, Points>;
   // A round tube, 6 around and 10 long, glued to a torus in the parameter domain only.
   Mesh t(test_t_meshes::torus<Rational>(1, 1));
   const Coordinates<Mesh> coordinates(t.mesh, t.knots(), t.corners());
@@ -126,8 +124,8 @@ TEST_CASE("sizes on a surface, by the points that the T-mesh carries", "[refine_
   Size size(coordinates, points);
   CHECK(size(t.face_list[0]).first == Approx(6).epsilon(0.01));
   CHECK(size(t.face_list[0]).second == Approx(10).epsilon(0.01));
-  const auto report = refine_T_mesh(t.mesh, t.knots(), t.corners(), size, 0.5,
-                                    CGAL::parameters::visitor(size.visitor()));
+  const auto report =
+      refine_T_mesh(t.mesh, t.knots(), t.corners(), size, 0.5, CGAL::parameters::visitor(size.visitor()));
   CHECK(report.success());
   for (const auto f : faces(t.mesh)) {
     CHECK(6 * CGAL::to_double(coordinates.width(f)) == Approx(0.375).epsilon(0.01));
@@ -136,8 +134,8 @@ TEST_CASE("sizes on a surface, by the points that the T-mesh carries", "[refine_
 
   SECTION("where the points get sparse, the old faces tell the size")
   {
-    const auto fine = refine_T_mesh(t.mesh, t.knots(), t.corners(), size, 0.05,
-                                    CGAL::parameters::visitor(size.visitor()));
+    const auto fine =
+        refine_T_mesh(t.mesh, t.knots(), t.corners(), size, 0.05, CGAL::parameters::visitor(size.visitor()));
     CHECK(fine.success());
     for (const auto f : faces(t.mesh)) {
       CHECK(6 * CGAL::to_double(coordinates.width(f)) == Approx(0.046875).epsilon(0.01));
@@ -154,17 +152,17 @@ TEST_CASE("what cannot be refined is named", "[refine_T_mesh]")
   const Parametric_size<Mesh> size(coordinates);
   const auto invalid = [&](const double target) {
     return refine_T_mesh(t.mesh, t.knots(), t.corners(), size, target).status == Status::INVALID_TARGET &&
-           num_faces(t.mesh) == 6;
+           t.mesh.number_of_faces() == 6;
   };
   CHECK(invalid(0));
   CHECK(invalid(-1));
   CHECK(invalid(std::numeric_limits<double>::quiet_NaN()));
 
-  const auto limited = refine_T_mesh(t.mesh, t.knots(), t.corners(), size, 0.1,
-                                     CGAL::parameters::number_of_iterations(std::size_t(7)));
+  const auto limited =
+      refine_T_mesh(t.mesh, t.knots(), t.corners(), size, 0.1, CGAL::parameters::number_of_iterations(std::size_t(7)));
   CHECK(limited.status == Status::ITERATION_LIMIT);
   CHECK(limited.splits == 7);
-  CHECK(num_faces(t.mesh) == 13);
+  CHECK(t.mesh.number_of_faces() == 13);
 
   const auto bad = t.face_list[3];
   const auto bad_size = [&](const Surface_mesh::Face_index f) {

@@ -97,8 +97,8 @@ TEMPLATE_TEST_CASE("narrow faces disappear, cones keep their edges", "[regulariz
   int seed = 0;
   for (const Faces<FT>& faces_given :
        {test_t_meshes::cube<FT>(), test_t_meshes::torus<FT>(3, 2), test_t_meshes::torus<FT>(1, 1),
-        test_t_meshes::folded_square<FT>(), test_t_meshes::genus_two<FT>(),
-        test_t_meshes::pinwheel<FT>(FT(3) / FT(2)), test_t_meshes::rectangle<FT>(3, 2)}) {
+        test_t_meshes::folded_square<FT>(), test_t_meshes::genus_two<FT>(), test_t_meshes::pinwheel<FT>(FT(3) / FT(2)),
+        test_t_meshes::rectangle<FT>(3, 2)}) {
     INFO("surface " << seed);
     Mesh t(faces_given);
     Editor editor(t.mesh, t.knots(), t.corners());
@@ -147,8 +147,7 @@ TEST_CASE("points keep their places while a T-mesh is regularized", "[regularize
   const Visitor visitor(development.visitor(), points.visitor());
   Editor editor(t.mesh, t.knots(), t.corners(), visitor);
   split_randomly(editor, 60, 3);
-  const auto report =
-      CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots(), t.corners(), parameters::visitor(visitor));
+  const auto report = CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots(), t.corners(), parameters::visitor(visitor));
   CHECK(report.partial_removals > 0);
   CHECK(report.flips > 0);
   const test_t_meshes::Lattice_group lattice;
@@ -172,7 +171,7 @@ TEST_CASE("constraints and bounds", "[regularize_T_mesh]")
   CGAL::T_splines::T_mesh_editor<Surface_mesh, Mesh::Knot_map, Mesh::Corner_map> editor(t.mesh, t.knots(), t.corners());
   for (int i = 1; i < 10; ++i)
     REQUIRE(editor.split_face(t.face_list[0], 0, 1. - 0.1 * i));
-  REQUIRE(num_faces(t.mesh) == 10);
+  REQUIRE(t.mesh.number_of_faces() == 10);
 
   SECTION("constrained vertices keep their edges")
   {

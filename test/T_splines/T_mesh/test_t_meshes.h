@@ -194,8 +194,9 @@ Faces<FT> genus_two()
   return squares<FT>({{0, 1, 2, 3}, {4, 3, 4, 1}, {2, 5, 0, 5}});
 }
 
-// A torus without cones whose lines spiral: the plane without the origin, modulo the multiplication by c. Four rectangles
-// lie like the wings of a pinwheel between the square of side 2 and the square of side 2 c, c > 1, around the origin.
+// A torus without cones whose lines spiral: the plane without the origin, modulo the multiplication by c. Four
+// rectangles lie like the wings of a pinwheel between the square of side 2 and the square of side 2 c, c > 1, around
+// the origin.
 template <typename FT>
 Faces<FT> pinwheel(const FT& c)
 {
@@ -204,12 +205,8 @@ Faces<FT> pinwheel(const FT& c)
   for (int i = 0; i < 4; ++i) {
     const int j = (i + 1) % 4;
     const int outer = i, wing = 4 + i, next_wing = 4 + j, rest = 8 + i, next_rest = 8 + j;
-    faces[i] = {{outer, c + one, true},
-                {next_wing, c - one, true},
-                {next_rest, (c - one) / c, false},
-                {outer, (c + one) / c, false},
-                {wing, c - one, true},
-                {rest, c - one, true}};
+    faces[i] = {{outer, c + one, true},        {next_wing, c - one, true}, {next_rest, (c - one) / c, false},
+                {outer, (c + one) / c, false}, {wing, c - one, true},      {rest, c - one, true}};
   }
   return faces;
 }

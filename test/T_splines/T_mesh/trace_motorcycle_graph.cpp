@@ -5,6 +5,9 @@
 
 #include "T_mesh/Traced_map.h"
 
+#include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
+#include <CGAL/T_splines/Similarity_map/compute_seamless_similarity_map.h>
+
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -222,6 +225,43 @@ TEST_CASE("Two components", "[trace]")
   const Whole_check check = traced_and_checked(folded(both));
   CHECK(check.map.components == 2);
   CHECK(check.t_mesh.faces == 16);
+}
+
+TEST_CASE("Maps of the package: cones in general position, scale factors", "[trace]")
+{
+  struct Case {
+    Plain_mesh mesh;
+    std::vector<std::pair<int, int>> cones;
+  };
+  const std::vector<Case> cases = {
+      {test_meshes::sphere(2), {{0, 3}, {1, 3}, {2, 3}, {3, 3}, {4, 3}, {5, 3}, {6, 3}, {7, 3}}},
+      {test_meshes::sphere(2), {{0, 1}, {1, 2}, {2, 3}, {3, 2}, {4, 6}, {5, 2}}},
+      {test_meshes::torus(16, 10), {{5, 3}, {77, 5}}},
+      {test_meshes::slab_with_holes(2, 2), {{0, 5}, {21, 6}, {30, 5}, {50, 8}}}};
+  for (const Case& each : cases) {
+    Surface_mesh mesh = test_meshes::face_graph<Surface_mesh>(each.mesh), refined;
+    std::vector<std::pair<Surface_mesh::Vertex_index, int>> cones;
+    for (const auto& [v, k] : each.cones)
+      cones.emplace_back(Surface_mesh::Vertex_index(v), k);
+    CGAL::T_splines::Holonomy_signature<Surface_mesh> signature;
+    REQUIRE(CGAL::T_splines::holonomy_signature_of_cones(mesh, cones, signature).success());
+    const auto uv = refined.add_property_map<Surface_mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+    REQUIRE(CGAL::T_splines::compute_seamless_similarity_map(mesh, signature, refined, uv).success());
+    const Traced traced(refined, uv);
+    INFO(traced.message_text());
+    REQUIRE(traced.success());
+    const Exact_map map = traced.exact_map();
+    Seamless_map_checker map_checker(map);
+    map_checker.check();
+    const Seamless_map_check map_check =
+        map_checker.check_cones(each.cones); // the first vertices are those of the mesh
+    INFO(map_check.text());
+    CHECK(map_check.success());
+    const Whole_check check = check_all(traced, 0.5);
+    INFO(check.text());
+    CHECK(check.success());
+    CHECK(check.t_mesh.extraordinary_vertices == static_cast<int>(each.cones.size()));
+  }
 }
 
 TEST_CASE("The same input gives the same graph, to the last digit", "[trace]")

@@ -58,7 +58,8 @@ struct Cube_map {
   }
 
 private:
-  /// The vertex at (i, j) on a side. Sides 0 to 2 are opposite to 3 to 5; seen from outside, u and v are counter-clockwise.
+  /// The vertex at (i, j) on a side. Sides 0 to 2 are opposite to 3 to 5; seen from outside, u and v are counter-
+  /// clockwise.
   std::size_t vertex(const int side, const int i, const int j, const int n)
   {
     const std::size_t axis = static_cast<std::size_t>(side % 3);

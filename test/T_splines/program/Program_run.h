@@ -30,8 +30,8 @@ struct Program_run {
   {
     const Temporary_directory directory;
     const std::string out = directory.file("out"), err = directory.file("err");
-    const std::string command = "(" + prefix + " '" T_SPLINES_EXAMPLES_DIR "/mesh_to_t_spline' " + arguments + ") >'" + out
-                                + "' 2>'" + err + "'";
+    const std::string command = "(" + prefix + " '" T_SPLINES_EXAMPLES_DIR "/mesh_to_t_spline' " + arguments + ") >'" +
+                                out + "' 2>'" + err + "'";
     const int status = std::system(command.c_str());
     exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     output = file_content(out);

@@ -30,7 +30,10 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 const std::string data = T_SPLINES_TEST_DATA "/";
 const std::string tetrahedron = data + "good_meshes/tetrahedron.off";
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
 
 /// Runs the program into a directory that does not exist before, and checks that it does not exist afterwards.
 Program_run failing_run(const std::string& arguments, const std::string& prefix = "")
@@ -78,9 +81,9 @@ std::set<std::string> files_of(const std::string& directory)
 struct Test_t_mesh {
   Mesh mesh;
   Mesh::Property_map<Mesh::Halfedge_index, double> knots =
-    mesh.add_property_map<Mesh::Halfedge_index, double>("h:knot").first;
+      mesh.add_property_map<Mesh::Halfedge_index, double>("h:knot").first;
   Mesh::Property_map<Mesh::Halfedge_index, bool> corners =
-    mesh.add_property_map<Mesh::Halfedge_index, bool>("h:is_corner").first;
+      mesh.add_property_map<Mesh::Halfedge_index, bool>("h:is_corner").first;
 
   CGAL::T_splines::T_mesh_reading_report read(const std::string& name)
   {
@@ -88,8 +91,8 @@ struct Test_t_mesh {
   }
   long euler_characteristic() const
   {
-    return static_cast<long>(mesh.number_of_vertices()) - static_cast<long>(mesh.number_of_edges())
-           + static_cast<long>(mesh.number_of_faces());
+    return static_cast<long>(mesh.number_of_vertices()) - static_cast<long>(mesh.number_of_edges()) +
+           static_cast<long>(mesh.number_of_faces());
   }
 };
 
@@ -107,23 +110,22 @@ void check_output(const std::string& directory, const std::string& mesh_file)
   const auto uv = refined.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   REQUIRE(CGAL::T_splines::read_map_obj(directory + "/map.obj", refined, uv).success());
   REQUIRE(refined.number_of_vertices() >= input.number_of_vertices());
-  CHECK(refined.number_of_vertices() - refined.number_of_edges() + refined.number_of_faces()
-        == input.number_of_vertices() - input.number_of_edges() + input.number_of_faces());
+  CHECK(refined.number_of_vertices() - refined.number_of_edges() + refined.number_of_faces() ==
+        input.number_of_vertices() - input.number_of_edges() + input.number_of_faces());
   bool are_points_equal = true, are_triangles_positive = true;
   for (const Mesh::Vertex_index v : input.vertices())
     are_points_equal = are_points_equal && input.point(v) == refined.point(v);
   for (const Mesh::Face_index f : refined.faces()) {
     const auto h = refined.halfedge(f);
-    are_triangles_positive = are_triangles_positive
-                             && CGAL::left_turn(uv[h], uv[refined.next(h)], uv[refined.prev(h)]);
+    are_triangles_positive = are_triangles_positive && CGAL::left_turn(uv[h], uv[refined.next(h)], uv[refined.prev(h)]);
   }
   CHECK(are_points_equal);
   CHECK(are_triangles_positive);
   Test_t_mesh t_mesh;
   REQUIRE(t_mesh.read(directory + "/t_mesh.ply").success());
-  CHECK(t_mesh.euler_characteristic()
-        == static_cast<long>(input.number_of_vertices()) - static_cast<long>(input.number_of_edges())
-             + static_cast<long>(input.number_of_faces()));
+  CHECK(t_mesh.euler_characteristic() == static_cast<long>(input.number_of_vertices()) -
+                                             static_cast<long>(input.number_of_edges()) +
+                                             static_cast<long>(input.number_of_faces()));
 }
 
 } // namespace
@@ -140,24 +142,24 @@ TEST_CASE("help and version")
 TEST_CASE("bad usage is refused with exit code 2")
 {
   const std::vector<std::pair<std::string, std::string>> cases = {
-    {"", "no mesh"},
-    {"a.off b.off", "more than one mesh"},
-    {"a.off --colour", "unknown option --colour"},
-    {"a.off --solver lu", "--solver needs one of ldlt, cholmod"},
-    {"a.off --flips", "--flips needs a value"},
-    {"a.off --quiet=yes", "--quiet takes no value"},
-    {"a.off --max-iterations 0", "--max-iterations needs an integer of at least 1"},
-    {"a.off --tolerance-residual=nan", "--tolerance-residual needs a positive number"},
-    {"a.off --cones a.cones --loops 1,x", "--loops needs integers separated by commas"},
-    {"a.off --loops 1,2", "--loops goes with --cones"},
-    {"a.off --field a.rawfield --cones a.cones", "--field and --cones exclude each other"},
-    {"a.off --field a.rawfield --align-curvature 1", "--align-curvature is for the computed field"},
-    {"--uv a.obj b.off", "--uv and a mesh exclude each other"},
-    {"--uv a.obj --map-only", "--uv and --map-only leave nothing to do"},
-    {"--uv a.obj --precision quad", "--precision does not go with --uv"},
-    {"--uv a.obj --cones a.cones", "--cones does not go with --uv"},
-    {"--uv", "--uv needs a value"},
-    {"a.off --no-regularization=1", "--no-regularization takes no value"}};
+      {"", "no mesh"},
+      {"a.off b.off", "more than one mesh"},
+      {"a.off --colour", "unknown option --colour"},
+      {"a.off --solver lu", "--solver needs one of ldlt, cholmod"},
+      {"a.off --flips", "--flips needs a value"},
+      {"a.off --quiet=yes", "--quiet takes no value"},
+      {"a.off --max-iterations 0", "--max-iterations needs an integer of at least 1"},
+      {"a.off --tolerance-residual=nan", "--tolerance-residual needs a positive number"},
+      {"a.off --cones a.cones --loops 1,x", "--loops needs integers separated by commas"},
+      {"a.off --loops 1,2", "--loops goes with --cones"},
+      {"a.off --field a.rawfield --cones a.cones", "--field and --cones exclude each other"},
+      {"a.off --field a.rawfield --align-curvature 1", "--align-curvature is for the computed field"},
+      {"--uv a.obj b.off", "--uv and a mesh exclude each other"},
+      {"--uv a.obj --map-only", "--uv and --map-only leave nothing to do"},
+      {"--uv a.obj --precision quad", "--precision does not go with --uv"},
+      {"--uv a.obj --cones a.cones", "--cones does not go with --uv"},
+      {"--uv", "--uv needs a value"},
+      {"a.off --no-regularization=1", "--no-regularization takes no value"}};
   for (const auto& [arguments, message] : cases) {
     const Program_run run(arguments);
     CAPTURE(arguments, run.errors);
@@ -188,26 +190,26 @@ TEST_CASE("every bad mesh file is refused with its name, exit code 2, and nothin
 TEST_CASE("every bad cone or field file is refused with its name, exit code 2, and nothing is written")
 {
   const std::vector<std::pair<std::string, std::string>> cases = {
-    {"gauss_bonnet.cones", "is 2 instead of 8 (off by -6)"},
-    {"duplicate.cones", "line 3: a vertex is listed as a cone twice (vertex 0"},
-    {"out_of_range.cones", "line 2: an index is out of range: the mesh has no such vertex (vertex 4"},
-    {"negative_index.cones", "line 2: an index is out of range: the mesh has no such vertex (vertex -1"},
-    {"zero.cones", "vertex 0, counted from 0, has k = 0"},
-    {"negative.cones", "vertex 1, counted from 0, has k = -2"},
-    {"truncated.cones", "truncated"},
-    {"word.cones", "line 2: the file does not follow its format here"},
-    {"wrong_count.Th_hat", "3 instead of 4"},
-    {"no_quarter_turn.Th_hat", "not a multiple of a quarter turn (vertex 2"},
-    {"no_such_file.cones", "the file cannot be read"},
-    {"cones.txt", "the file format is not known"},
-    {"wrong_count.rawfield", "3 instead of 4"},
-    {"truncated.rawfield", "truncated"},
-    {"two_directions.rawfield", "2 instead of 4"},
-    {"zero_vector.rawfield", "a vector is zero (face 2"},
-    {"not_tangent.rawfield", "not tangent to its face (face 2"},
-    {"nan.rawfield", "a number is not finite (element 1"},
-    {"no_such_file.rosy", "the file cannot be read"},
-    {"field.txt", "the file format is not known"}};
+      {"gauss_bonnet.cones", "is 2 instead of 8 (off by -6)"},
+      {"duplicate.cones", "line 3: a vertex is listed as a cone twice (vertex 0"},
+      {"out_of_range.cones", "line 2: an index is out of range: the mesh has no such vertex (vertex 4"},
+      {"negative_index.cones", "line 2: an index is out of range: the mesh has no such vertex (vertex -1"},
+      {"zero.cones", "vertex 0, counted from 0, has k = 0"},
+      {"negative.cones", "vertex 1, counted from 0, has k = -2"},
+      {"truncated.cones", "truncated"},
+      {"word.cones", "line 2: the file does not follow its format here"},
+      {"wrong_count.Th_hat", "3 instead of 4"},
+      {"no_quarter_turn.Th_hat", "not a multiple of a quarter turn (vertex 2"},
+      {"no_such_file.cones", "the file cannot be read"},
+      {"cones.txt", "the file format is not known"},
+      {"wrong_count.rawfield", "3 instead of 4"},
+      {"truncated.rawfield", "truncated"},
+      {"two_directions.rawfield", "2 instead of 4"},
+      {"zero_vector.rawfield", "a vector is zero (face 2"},
+      {"not_tangent.rawfield", "not tangent to its face (face 2"},
+      {"nan.rawfield", "a number is not finite (element 1"},
+      {"no_such_file.rosy", "the file cannot be read"},
+      {"field.txt", "the file format is not known"}};
   std::set<std::string> known;
   for (const auto& [name, message] : cases) {
     known.insert(name);
@@ -228,7 +230,8 @@ TEST_CASE("turning numbers must be as many as loops")
   const Temporary_directory directory;
   write_torus(directory.file("torus.obj"), 10, 0, 1);
   std::ofstream(directory.file("none.cones"));
-  const std::string arguments = "'" + directory.file("torus.obj") + "' --cones '" + directory.file("none.cones") + "' --loops ";
+  const std::string arguments =
+      "'" + directory.file("torus.obj") + "' --cones '" + directory.file("none.cones") + "' --loops ";
   const Program_run run = failing_run(arguments + "1");
   CHECK(run.exit_code == 2);
   CHECK(contains(run.errors, "is 1 instead of 2"));
@@ -267,7 +270,7 @@ TEST_CASE("an interrupted run has exit code 130 and leaves nothing behind")
   write_torus(directory.file("torus.obj"), 300, 0, 1);
   // In the background, timeout would signal twice, and the second signal ends the program at once.
   const Program_run run =
-    failing_run("'" + directory.file("torus.obj") + "'", "timeout --foreground --signal=INT --preserve-status 1");
+      failing_run("'" + directory.file("torus.obj") + "'", "timeout --foreground --signal=INT --preserve-status 1");
   CAPTURE(run.errors);
   CHECK(run.exit_code == 130);
 }
@@ -363,22 +366,30 @@ TEST_CASE("every kind of bad map is refused with its name and element, exit code
 {
   using Edit = void (*)(Cube_map&);
   const std::vector<std::pair<Edit, std::string>> cases = {
-    {[](Cube_map& map) { map.uv_is_missing = true; }, "a corner has no texture coordinates"},
-    {[](Cube_map& map) { map.corners[17].has_uv = false; }, "a corner has no texture coordinates (vertex 2, face 5"},
-    {[](Cube_map& map) { map.corners[4].u = NAN; }, "a coordinate is not a finite number: found \"nan\""},
-    {[](Cube_map& map) { std::swap(map.corners[9].u, map.corners[10].u), std::swap(map.corners[9].v, map.corners[10].v); },
-     "not positively oriented: 1 face, 3;"},
-    {[](Cube_map& map) { map.corners[9].u = map.corners[10].u, map.corners[9].v = map.corners[10].v; },
-     "triangles of area zero: 1 face, 3;"},
-    {[](Cube_map& map) { map.change_chart(2, [](double& u, double& v) { u += 0.3 * v; }); },
-     "the angle around a vertex is no multiple of a right angle: vertex "},
-    {[](Cube_map& map) { map.change_chart(2, [](double& u, double& v) { const double w = u; u = 0.6 * u - 0.8 * v, v = 0.8 * w + 0.6 * v; }); },
-     "the rotation across a seam is no multiple of a right angle: edge from vertex "},
-    {[](Cube_map& map) { map.change_chart(2, [](double& u, double&) { u = u == 0.5 ? 0.625 : u; }); },
-     "the transition across a seam is no similarity: edge from vertex "},
-    {[](Cube_map& map) { map.change_chart(2, [](double& u, double&) { u *= 2; }); },
-     "the scale factors around a vertex do not multiply to one: vertex "},
-    {[](Cube_map& map) { map.corners.resize(map.corners.size() - 3); }, "a border edge is not parallel to an axis: edge "}};
+      {[](Cube_map& map) { map.uv_is_missing = true; }, "a corner has no texture coordinates"},
+      {[](Cube_map& map) { map.corners[17].has_uv = false; }, "a corner has no texture coordinates (vertex 2, face 5"},
+      {[](Cube_map& map) { map.corners[4].u = NAN; }, "a coordinate is not a finite number: found \"nan\""},
+      {[](Cube_map& map) {
+         std::swap(map.corners[9].u, map.corners[10].u), std::swap(map.corners[9].v, map.corners[10].v);
+       },
+       "not positively oriented: 1 face, 3;"},
+      {[](Cube_map& map) { map.corners[9].u = map.corners[10].u, map.corners[9].v = map.corners[10].v; },
+       "triangles of area zero: 1 face, 3;"},
+      {[](Cube_map& map) { map.change_chart(2, [](double& u, double& v) { u += 0.3 * v; }); },
+       "the angle around a vertex is no multiple of a right angle: vertex "},
+      {[](Cube_map& map) {
+         map.change_chart(2, [](double& u, double& v) {
+           const double w = u;
+           u = 0.6 * u - 0.8 * v, v = 0.8 * w + 0.6 * v;
+         });
+       },
+       "the rotation across a seam is no multiple of a right angle: edge from vertex "},
+      {[](Cube_map& map) { map.change_chart(2, [](double& u, double&) { u = u == 0.5 ? 0.625 : u; }); },
+       "the transition across a seam is no similarity: edge from vertex "},
+      {[](Cube_map& map) { map.change_chart(2, [](double& u, double&) { u *= 2; }); },
+       "the scale factors around a vertex do not multiply to one: vertex "},
+      {[](Cube_map& map) { map.corners.resize(map.corners.size() - 3); },
+       "a border edge is not parallel to an axis: edge "}};
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Temporary_directory directory;
     const std::string file = directory.file("map.obj");
@@ -400,10 +411,11 @@ TEST_CASE("the page draws in a browser, where there is one")
   const Temporary_directory directory;
   const std::string output = directory.file("output"), dom = directory.file("dom");
   REQUIRE(Program_run("'" + data + "good_meshes/cube.obj' -o '" + output + "'").exit_code == 0);
-  const std::string browser = "timeout 100 chromium --headless --no-sandbox --no-first-run --disable-background-networking"
-                              " --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --virtual-time-budget=3000"
-                              " --user-data-dir='" + directory.file("profile") + "' --dump-dom 'file://" + output
-                              + "/report.html' >'" + dom + "' 2>/dev/null";
+  const std::string browser =
+      "timeout 100 chromium --headless --no-sandbox --no-first-run --disable-background-networking"
+      " --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --virtual-time-budget=3000"
+      " --user-data-dir='" +
+      directory.file("profile") + "' --dump-dom 'file://" + output + "/report.html' >'" + dom + "' 2>/dev/null";
   if (std::system(browser.c_str()) != 0) {
     WARN("no chromium that runs: the page was not tried");
     return;
@@ -413,11 +425,12 @@ TEST_CASE("the page draws in a browser, where there is one")
   CHECK(contains(page, "<span class=\"good\">the map is exactly seamless</span>"));
   CHECK(contains(page, "aspect ratio, worst"));
   for (const char* name : {"none", "as traced", "regularized"})
-    CHECK(contains(page, "type=\"button\" aria-checked=\"" + std::string(name == std::string("regularized") ? "true" : "false")
-                           + "\">" + name + "</button>"));
+    CHECK(contains(page, "type=\"button\" aria-checked=\"" +
+                             std::string(name == std::string("regularized") ? "true" : "false") + "\">" + name +
+                             "</button>"));
   CHECK(contains(page, "k = 3, angle 270"));
   CHECK(contains(page, "<p id=\"message\" hidden=\"\"></p>")); // where it says why it cannot draw
-  CHECK(contains(page, "aria-checked=\"true\""));                // the last thing that is set up
+  CHECK(contains(page, "aria-checked=\"true\""));              // the last thing that is set up
 }
 
 TEST_CASE("solvers, flip policies and number types")
@@ -425,7 +438,8 @@ TEST_CASE("solvers, flip policies and number types")
   const Temporary_directory directory;
   const std::string mesh = directory.file("torus.obj"), output = directory.file("output");
   write_torus(mesh, 10, 0, 1);
-  for (const char* option : {"--flips degeneracy", "--flips degeneracy-only", "--precision extended", "--precision quad"}) {
+  for (const char* option :
+       {"--flips degeneracy", "--flips degeneracy-only", "--precision extended", "--precision quad"}) {
     const Program_run run("'" + mesh + "' " + option + " -o '" + output + "'");
     CAPTURE(option, run.errors);
     CHECK(run.exit_code == 0);

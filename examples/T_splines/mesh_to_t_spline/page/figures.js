@@ -124,7 +124,8 @@ function showVerdict({ input, signature, map, exact_map, t_mesh }) {
     facts.unshift(`residual ${shortNumber(map.residual)}`, `${map.iterations} iterations`);
   if (t_mesh) {
     const final = t_mesh.regularized || t_mesh.traced;
-    facts.push(`${countText(final.faces)} T-mesh faces`, `aspect ratio at worst ${ratioText(final.worst_aspect_ratio)}`);
+    facts.push(`${countText(final.faces)} T-mesh faces`,
+      `aspect ratio at worst ${ratioText(final.worst_aspect_ratio)}`);
   }
   const status = exact_map ? exact_map.status : map.status;
   document.getElementById("verdict").append(element("span", { class: "good" }, status), ["", ...facts].join("  ·  "));
@@ -160,7 +161,8 @@ function aspectBars(stages) {
 function aspectNote(hasTwoStages) {
   const result = note("Faces by aspect ratio (longer over shorter side)");
   if (hasTwoStages)
-    result.append(element("br"), element("span", { class: "key before" }), "as traced", element("span", { class: "key" }), "regularized");
+    result.append(element("br"), element("span", { class: "key before" }), "as traced",
+      element("span", { class: "key" }), "regularized");
   return result;
 }
 
@@ -185,8 +187,9 @@ function tracingSection({ tracing }) {
   const { predicate_calls: calls, exact_predicate_calls: exact } = tracing;
   const share = calls > 0 ? 100 * (calls - exact) / calls : 100;
   return section("Motorcycles", table([
-    ["motorcycles", tracing.motorcycles], ["seeds off the cones", tracing.seeds], ["triangles crossed", tracing.crossed_faces],
-    ["predicate calls", countText(calls)], ["answered by the filter", `${share.toFixed(share > 99.9 && exact > 0 ? 4 : 2)} %`]]));
+    ["motorcycles", tracing.motorcycles], ["seeds off the cones", tracing.seeds],
+    ["triangles crossed", tracing.crossed_faces], ["predicate calls", countText(calls)],
+    ["answered by the filter", `${share.toFixed(share > 99.9 && exact > 0 ? 4 : 2)} %`]]));
 }
 
 function exactMapSection(exact) {
@@ -232,7 +235,8 @@ function showFigures(report, measure) {
   document.getElementById("figures").append(
     ...(t_mesh ? [tMeshSection(t_mesh)] : []), conesSection(signature), ...(map ? [convergenceSection(map)] : []),
     section("Time", stageBars(report.stages), note(`${seconds(report.seconds)} in all${memory}`)),
-    ...(exact_map ? [exactMapSection(exact_map)] : []), ...(t_mesh ? [tracingSection(t_mesh)] : []), meshSection(report, measure),
+    ...(exact_map ? [exactMapSection(exact_map)] : []), ...(t_mesh ? [tracingSection(t_mesh)] : []),
+    meshSection(report, measure),
     section("Transitions across the cut", refined.transitions.length ? scaleTable(refined.transitions) : note("No cut."),
       ...(loops ? [note(loops)] : [])));
 }

@@ -103,7 +103,8 @@ function trianglesOfVertices(mesh) {
   return { first, list };
 }
 
-// Per corner, three signed bytes and a filler: the mean normal of the triangles at the vertex that are within the crease angle.
+// Per corner, three signed bytes and a filler: the mean normal of the triangles at the vertex that are within the
+// crease angle.
 function cornerNormals(mesh, measure) {
   const crease = Math.cos(50 * Math.PI / 180);
   const { first, list } = trianglesOfVertices(mesh);
@@ -139,7 +140,8 @@ function quantile(values, q) {
   return sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))];
 }
 
-// The logarithm of the cell size, near the given one, for which the least area lies where the pattern fades from one power
+// The logarithm of the cell size, near the given one, for which the least area lies where the pattern fades from one
+// power
 // of two to the next: half way between them.
 function bestOffset(mesh, measure, scale, cell) {
   const bins = 64, width = 14, weight = new Float64Array(bins), offset = Math.log2(cell);
@@ -158,7 +160,8 @@ function bestOffset(mesh, measure, scale, cell) {
   return offset + best / bins;
 }
 
-// What the surface is drawn from, per corner. The uv of a triangle is relative to an origin of its own, a multiple of 2^8
+// What the surface is drawn from, per corner. The uv of a triangle is relative to an origin of its own, a multiple of
+// 2^8
 // of its cells, and in units of a power of two near its cell: so single precision does however far the sizes in
 // the plane are apart, and neighbouring triangles still continue each other's pattern.
 function surfaceBuffers(mesh, measure, cell) {

@@ -66,8 +66,8 @@ function makeControls(options, layers, changed) {
   size.addEventListener("input", () => { options.cellOctaves = +size.value; refresh(); });
   const markLayer = makeLayerControls(options, layers, () => refresh());
   views.append(...buttons);
-  toggles.append(check("cones", "cones"), ...(layers.length > 0 ? [check("T-joints", "joints")] : []), check("cut", "cut"),
-    wire, element("label", {}, "cells", size));
+  toggles.append(check("cones", "cones"), ...(layers.length > 0 ? [check("T-joints", "joints")] : []),
+    check("cut", "cut"), wire, element("label", {}, "cells", size));
   refresh();
 }
 
@@ -167,8 +167,8 @@ function start() {
   let mesh = null, tMeshes = null, measure = null, renderer = null, problem = null;
   try {
     mesh = readMesh();
-    tMeshes = [["as traced", readTMesh("traced")], ["regularized", readTMesh("regular")]].filter(([name, tMesh]) => tMesh)
-      .map(([name, tMesh]) => ({ name, ...tMesh }));
+    tMeshes = [["as traced", readTMesh("traced")], ["regularized", readTMesh("regular")]]
+      .filter(([name, tMesh]) => tMesh).map(([name, tMesh]) => ({ name, ...tMesh }));
     measure = measureTriangles(mesh);
     renderer = new Renderer(canvas);
   }
@@ -194,8 +194,8 @@ function start() {
 
   const coneRadius = Math.min(0.016, 0.09 * Math.sqrt(area / Math.max(40, cones.length)));
   const mostJoints = Math.max(40, ...tMeshes.map(tMesh => tMesh.joints.length / 3));
-  const options = optionsFromAddress({ mode: tMeshes.length > 0 ? 4 : 0, wire: 0, tMesh: tMeshes.length, cut: tMeshes.length === 0,
-    cones: true, joints: true, cellOctaves: 0, coneRadius,
+  const options = optionsFromAddress({ mode: tMeshes.length > 0 ? 4 : 0, wire: 0, tMesh: tMeshes.length,
+    cut: tMeshes.length === 0, cones: true, joints: true, cellOctaves: 0, coneRadius,
     jointRadius: Math.min(0.7 * coneRadius, 0.07 * Math.sqrt(area / mostJoints)) });
   const camera = new Camera(mesh), aspect = () => canvas.clientWidth / Math.max(1, canvas.clientHeight);
   camera.reset(aspect());

@@ -102,7 +102,8 @@ class Renderer {
   // Layers of lines with balls on them, of which one is drawn or none.
   setTMeshes(tMeshes) {
     this.tMeshes = tMeshes.map(({ segments, joints }) => ({
-      lines: this.lines(segments), joints: this.balls(joints, new Float32Array(joints.length).map((_, i) => jointColor[i % 3]))
+      lines: this.lines(segments),
+      joints: this.balls(joints, new Float32Array(joints.length).map((_, i) => jointColor[i % 3]))
     }));
   }
 

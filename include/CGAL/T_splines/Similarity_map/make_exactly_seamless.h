@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/Similarity_map/Exact_map_report.h>
 #include <CGAL/T_splines/Similarity_map/Seamless_map.h>
 #include <CGAL/T_splines/Similarity_map/internal/Exact_map_computation.h>
+#include <CGAL/T_splines/Similarity_map/internal/decimal_tolerance.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -83,9 +84,10 @@ Exact_map_report<TriangleMesh> exact_map_report(const Mesh_indexing<TriangleMesh
 /// \param mesh a triangle mesh, closed or with border
 /// \param uv_map the coordinates
 /// \param map made on `mesh`; receives the result, and is left as it is if the status is not EXACT
-/// \param np named parameters: `T_splines::parameters::transition_tolerance` (double, default 1e-6): the largest
-///   deviation of a corner from the similarity of its branch, relative to the largest coordinate on the branch; angles
-///   may deviate by as much in radians, and by what such a deviation makes of them on short edges
+/// \param np named parameters: `T_splines::parameters::transition_tolerance` (double): the largest deviation of a corner
+///   from the similarity of its branch, relative to the largest coordinate on the branch; angles may deviate by as much
+///   in radians, and by what such a deviation makes of them on short edges. The default is 1e-6, or what rounding
+///   explains if no coordinate has more than seven (2e-6) or six (2e-5) significant decimal digits
 /// \return what was done; or the first defect found and the element that has it, all of them for triangles.
 /// Complexity: linear in the size of the mesh, with exact numbers only on the seams.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename FT,
@@ -94,18 +96,23 @@ Exact_map_report<TriangleMesh> make_exactly_seamless(const TriangleMesh& mesh, c
                                                      Seamless_map<TriangleMesh, FT>& map,
                                                      const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   CGAL_precondition(&mesh == &map.mesh());
-  const double tolerance = choose_parameter(get_parameter(np, np_tags::transition_tolerance), 1e-6);
   const Triangle_mesh_report<TriangleMesh> mesh_report = internal::check_mesh_connectivity(mesh, true);
   if (!mesh_report.success()) {
     Exact_map_report<TriangleMesh> report;
     report.mesh = mesh_report;
     return report;
   }
-  internal::Exact_map_computation<FT> computation(internal::triangulation_connectivity(map.indexing()),
-                                                  internal::uv_array(map.indexing(), uv_map), tolerance);
+  std::vector<std::array<double, 2>> uv = internal::uv_array(map.indexing(), uv_map);
+  const auto given_tolerance = get_parameter(np, np_tags::transition_tolerance);
+  double tolerance = 0;
+  if constexpr (internal::is_missing<decltype(given_tolerance)>)
+    tolerance = internal::decimal_tolerance(uv);
+  else
+    tolerance = given_tolerance;
+  internal::Exact_map_computation<FT> computation(internal::triangulation_connectivity(map.indexing()), std::move(uv),
+                                                  tolerance);
   computation.run();
   const Exact_map_report<TriangleMesh> report =
       internal::exact_map_report(map.indexing(), computation.figures(), computation.layout());

@@ -11,11 +11,11 @@ namespace T_splines {
 
 /// Whether halfedge knots are admissible on a T-mesh, and if not, why.
 enum class Admissibility_status {
-  ADMISSIBLE,             ///< all conditions hold
-  NON_POSITIVE_KNOT,      ///< the knot interval of `halfedge`, of `face`, is not positive; `defect` is the interval
-  KNOT_NOT_FINITE,        ///< the knot interval of `halfedge`, of `face`, is infinite or not a number
-  WRONG_CORNER_COUNT,     ///< `face` has `number_of_corners` corners instead of four
-  OPPOSITE_SIDES_DIFFER,  ///< the side of `face` that contains `halfedge` is longer than the opposite one by `defect` times that one
+  ADMISSIBLE,            ///< all conditions hold
+  NON_POSITIVE_KNOT,     ///< the knot interval of `halfedge`, of `face`, is `defect`, not positive
+  KNOT_NOT_FINITE,       ///< the knot interval of `halfedge`, of `face`, is infinite or not a number
+  WRONG_CORNER_COUNT,    ///< `face` has `number_of_corners` corners instead of four
+  OPPOSITE_SIDES_DIFFER, ///< two opposite sides of `face` differ; `halfedge` begins the one that `defect` is about
   CYCLE_CONDITION_VIOLATED ///< the product of the knot ratios around `vertex` is `1 + defect`
 };
 

@@ -45,9 +45,9 @@ private:
 /// The size of the faces of a T-mesh on the surface, measured by points that the T-mesh carries: a model of
 /// `TMeshFaceSize`.
 ///
-/// In each face a first fundamental form is fitted to the distances of nearby points. A face with too few points gets the form
-/// of the old face from which it was cut, so that refinement need not stop where the points get sparse. A face that had
-/// less than two points from the start has size zero: add its corners.
+/// In each face a first fundamental form is fitted to the distances of nearby points. A face with too few points gets
+/// the form of the old face from which it was cut, so that refinement need not stop where the points get sparse. A
+/// face that had less than two points from the start has size zero: add its corners.
 ///
 /// Functions that change the T-mesh must be given `visitor()`.
 /// \tparam Points a `Carried_points` whose payload is a point with `x()`, `y()`, `z()`
@@ -92,9 +92,10 @@ private:
   {
     std::vector<Fit::Sample> samples;
     for (const auto& p : m_points->points(f))
-      samples.push_back({CGAL::to_double(p.u), CGAL::to_double(p.v),
-                         {CGAL::to_double(p.payload.x()), CGAL::to_double(p.payload.y()),
-                          CGAL::to_double(p.payload.z())}});
+      samples.push_back(
+          {CGAL::to_double(p.u),
+           CGAL::to_double(p.v),
+           {CGAL::to_double(p.payload.x()), CGAL::to_double(p.payload.y()), CGAL::to_double(p.payload.z())}});
     return Fit::fit(std::move(samples));
   }
 

@@ -58,8 +58,8 @@ bool is_extraordinary(const typename boost::graph_traits<TMesh>::vertex_descript
 /// Coordinates in the faces of a T-mesh with halfedge knots.
 ///
 /// The frame of a face: its four sides are the runs of halfedges between corners. The side that contains `halfedge(f)`
-/// is the bottom, number 0; the others follow counter-clockwise. The origin is the corner where the bottom begins, the u
-/// axis runs along it, the v axis to its left: the face is [0, width] x [0, height].
+/// is the bottom, number 0; the others follow counter-clockwise. The origin is the corner where the bottom begins, the
+/// u axis runs along it, the v axis to its left: the face is [0, width] x [0, height].
 ///
 /// The class refers to the T-mesh and follows its changes. Each function takes time linear in the number of halfedges
 /// of one face, or two.
@@ -87,7 +87,8 @@ public:
     : m_t_mesh(&t_mesh),
       m_knots(knots),
       m_corners(corners)
-  {}
+  {
+  }
 
   const TMesh& t_mesh() const { return *m_t_mesh; }
 
@@ -172,8 +173,8 @@ public:
     return point(face(h, *m_t_mesh), p.side, p.begin);
   }
 
-  /// returns the target of `h` in the frame of its face: the frame's coordinates of a vertex, one pair for each halfedge
-  /// that ends there.
+  /// returns the target of `h` in the frame of its face: the frame's coordinates of a vertex, one pair for each
+  /// halfedge that ends there.
   std::pair<FT, FT> target_point(const halfedge_descriptor h) const
   {
     const Place p = place(h);

@@ -11,16 +11,16 @@ namespace T_splines {
 
 /// How an operation on a T-mesh ended. Only after DONE has anything changed.
 enum class T_mesh_edit_status {
-  DONE,              ///< the operation was executed
-  OUTSIDE,           ///< a line would lie outside of its face, on its border, or pass another one
-  NO_FACE,           ///< the halfedge, or its opposite, is on the border
-  SAME_FACE,         ///< the face is on both sides of the edge
-  NO_T_JOINT,        ///< the face has a corner at the vertex
-  NOT_A_FULL_SIDE,   ///< the edges between the two faces are not a full side of both
-  NOT_REMOVABLE,     ///< the vertex has not exactly two edges
-  FIXED_VERTEX,      ///< an extraordinary or constrained vertex would lose an edge or move
-  NO_FREE_LINE,      ///< the line ends at a border or where no orthogonal line passes, so that it cannot be shifted
-  LINE_MEETS_ITSELF  ///< the line crosses itself, or faces touch it along both axes
+  DONE,             ///< the operation was executed
+  OUTSIDE,          ///< a line would lie outside of its face, on its border, or pass another one
+  NO_FACE,          ///< the halfedge, or its opposite, is on the border
+  SAME_FACE,        ///< the face is on both sides of the edge
+  NO_T_JOINT,       ///< the face has a corner at the vertex
+  NOT_A_FULL_SIDE,  ///< the edges between the two faces are not a full side of both
+  NOT_REMOVABLE,    ///< the vertex has not exactly two edges
+  FIXED_VERTEX,     ///< an extraordinary or constrained vertex would lose an edge or move
+  NO_FREE_LINE,     ///< the line ends at a border or where no orthogonal line passes, so that it cannot be shifted
+  LINE_MEETS_ITSELF ///< the line crosses itself, or faces touch it along both axes
 };
 
 /// returns one sentence that explains `status`.
@@ -48,11 +48,11 @@ template <typename TMesh>
 struct T_mesh_edit {
   using halfedge_descriptor = typename boost::graph_traits<TMesh>::halfedge_descriptor;
 
-  T_mesh_edit(const T_mesh_edit_status s,
-              const halfedge_descriptor h = boost::graph_traits<TMesh>::null_halfedge())
+  T_mesh_edit(const T_mesh_edit_status s, const halfedge_descriptor h = boost::graph_traits<TMesh>::null_halfedge())
     : status(s),
       halfedge(h)
-  {}
+  {
+  }
 
   explicit operator bool() const { return status == T_mesh_edit_status::DONE; }
 

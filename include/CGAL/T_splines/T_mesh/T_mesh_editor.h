@@ -25,13 +25,14 @@ namespace T_splines {
 /// Changes a T-mesh with halfedge knots; each operation keeps it admissible ([CZ17] section 8).
 ///
 /// Lines of the T-mesh are inserted, removed and moved along the axes of the faces; extraordinary vertices never move
-/// and keep all their edges, at least in part. An operation that is not allowed does nothing and says why. The time that
-/// an operation takes is linear in the number of halfedges of the faces that it touches.
+/// and keep all their edges, at least in part. An operation that is not allowed does nothing and says why. The time
+/// that an operation takes is linear in the number of halfedges of the faces that it touches; a shift may need its
+/// square.
 ///
 /// With inexact knots, points whose distance is below 1e-11 of the sides they lie on count as one.
 /// \tparam TMesh a model of `MutableFaceGraph`; it may be non-simple
-/// \tparam HalfedgeKnotMap a read/write map, halfedge -> knot interval; its values may also be set at halfedges that the
-///         graph has just added
+/// \tparam HalfedgeKnotMap a read/write map, halfedge -> knot interval; its values may also be set at halfedges that
+///         the graph has just added
 /// \tparam HalfedgeCornerMap a read/write map, halfedge -> `bool`, likewise
 /// \tparam Visitor a model of `TMeshVisitor`; it is copied
 /// \tparam VertexIsConstrainedMap a readable map, vertex -> `bool`: vertices that are treated as extraordinary ones
@@ -59,7 +60,8 @@ public:
       m_knots(knots),
       m_corners(corners),
       m_vertex_is_constrained(vertex_is_constrained)
-  {}
+  {
+  }
 
   const Coordinates& coordinates() const { return m_surgery.coordinates(); }
 
@@ -162,8 +164,7 @@ public:
       return status;
     const Overlap o = overlap(h);
     if (!(get(m_corners, prev(o.first, m_t_mesh)) && get(m_corners, o.last) &&
-          get(m_corners, opposite(o.first, m_t_mesh)) &&
-          get(m_corners, prev(opposite(o.last, m_t_mesh), m_t_mesh))))
+          get(m_corners, opposite(o.first, m_t_mesh)) && get(m_corners, prev(opposite(o.last, m_t_mesh), m_t_mesh))))
       return T_mesh_edit_status::NOT_A_FULL_SIDE;
     return can_remove(o, true, true);
   }
@@ -194,8 +195,8 @@ public:
   }
 
   /// removes a part of the chain of edges between the faces of `h`, between the distances `from` and `to` from its
-  /// beginning in the units of the face of `h`; edges orthogonal to it are inserted at the ends of this part, through both
-  /// faces within the chain ([CZ17] Fig. 13).
+  /// beginning in the units of the face of `h`; edges orthogonal to it are inserted at the ends of this part, through
+  /// both faces within the chain ([CZ17] Fig. 13).
   ///
   /// Only an end of the chain that stays may be an extraordinary vertex.
   /// \return a halfedge of the union, or NO_FACE, SAME_FACE, FIXED_VERTEX, OUTSIDE
@@ -215,8 +216,7 @@ public:
     if (status != T_mesh_edit_status::DONE)
       return {status};
 
-    const halfedge_descriptor before =
-        at_first ? prev(o.first, m_t_mesh) : halfedge_to(o.first, from, eps);
+    const halfedge_descriptor before = at_first ? prev(o.first, m_t_mesh) : halfedge_to(o.first, from, eps);
     const halfedge_descriptor last = at_last ? o.last : halfedge_to(next(before, m_t_mesh), FT(to - from), eps);
     const halfedge_descriptor first = next(before, m_t_mesh);
     extend_if_straight(before);
@@ -235,8 +235,7 @@ public:
   Edit shift(const halfedge_descriptor h, const FT& delta)
   {
     internal::Line_shift<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Visitor> line(m_surgery);
-    const T_mesh_edit_status status =
-        line.shift(h, delta, [this](const vertex_descriptor v) { return is_fixed(v); });
+    const T_mesh_edit_status status = line.shift(h, delta, [this](const vertex_descriptor v) { return is_fixed(v); });
     if (status != T_mesh_edit_status::DONE)
       return {status};
     CGAL_assertion(is_admissible_at(h) && is_admissible_at(opposite(h, m_t_mesh)));

@@ -16,8 +16,8 @@ namespace T_splines {
 /// Where a part of an old face of a T-mesh went: the frame of `from` goes by `transition` to that of `to`, whose
 /// rectangle is now [0, `width`] x [0, `height`].
 ///
-/// `from` may be a face that is about to be removed. A point of `from` belongs to the first piece with that `from` whose
-/// image lies in the rectangle of `to`.
+/// `from` may be a face that is about to be removed. A point of `from` belongs to the first piece with that `from`
+/// whose image lies in the rectangle of `to`.
 /// \tparam TMesh a model of `FaceGraph`
 /// \tparam FT_ the number type of the knots
 template <typename TMesh, typename FT_>
@@ -36,32 +36,38 @@ struct T_mesh_visitor {
   /// is called after the vertex `v` was inserted into an edge; `h` ends at `v`, and `next(h)` is the other part.
   template <typename Vertex, typename Halfedge>
   void vertex_inserted(Vertex /*v*/, Halfedge /*h*/) const
-  {}
+  {
+  }
 
   /// is called before the vertex `v` is removed, at which `h` ends; only `next(h)` leaves it, and `h` takes its place.
   template <typename Vertex, typename Halfedge>
   void vertex_removed(Vertex /*v*/, Halfedge /*h*/) const
-  {}
+  {
+  }
 
   /// is called after the vertex `v`, at which `h` ends, moved with a line that was shifted.
   template <typename Vertex, typename Halfedge>
   void vertex_moved(Vertex /*v*/, Halfedge /*h*/) const
-  {}
+  {
+  }
 
   /// is called after the edge of `h` was inserted across a face.
   template <typename Halfedge>
   void edge_inserted(Halfedge /*h*/) const
-  {}
+  {
+  }
 
   /// is called before the edge of `h` is removed between two faces.
   template <typename Halfedge>
   void edge_removed(Halfedge /*h*/) const
-  {}
+  {
+  }
 
   /// is called after the lines of the T-mesh changed, with all old faces whose frame or extent is another.
   template <typename TMesh, typename FT>
   void faces_replaced(const std::vector<T_mesh_piece<TMesh, FT>>& /*pieces*/) const
-  {}
+  {
+  }
 };
 
 /// Two visitors of T-mesh operations, called one after the other; a model of `TMeshVisitor`.

@@ -39,7 +39,8 @@ public:
       m_knots(knots),
       m_corners(corners),
       m_tolerance(is_exact_number_type<FT> ? 0. : relative_tolerance)
-  {}
+  {
+  }
 
   bool check_face(const face_descriptor f, Report& report) const
   {
@@ -147,8 +148,8 @@ private:
 /// around each inner vertex, cones included, the product of the ratios k(h) / k(opposite(h)) must be 1. Exact number
 /// types are compared exactly, others to a relative tolerance.
 /// \tparam TMesh a model of `FaceListGraph` and `VertexListGraph`, with or without border; it may be non-simple
-/// \tparam HalfedgeKnotMap a readable map, halfedge -> a model of `Field` and `RealEmbeddable`: the knot interval of the
-///         halfedge in its face's units; not read at border halfedges
+/// \tparam HalfedgeKnotMap a readable map, halfedge -> a model of `Field` and `RealEmbeddable`: the knot interval of
+///         the halfedge in its face's units; not read at border halfedges
 /// \tparam HalfedgeCornerMap a readable map, halfedge -> `bool`: the halfedge's face turns at its target
 /// \param t_mesh, knots, corners the T-mesh
 /// \param np named parameters: `relative_tolerance`, a `double`, 1e-9 if not given and 0 for exact number types: the

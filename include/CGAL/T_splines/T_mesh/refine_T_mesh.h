@@ -28,10 +28,10 @@ namespace T_splines {
 
 /// How the refinement of a T-mesh ended.
 enum class T_mesh_refinement_status {
-  REFINED,            ///< no face is larger than the target
-  INVALID_TARGET,     ///< the target size is not positive; nothing was done
-  SIZE_NOT_FINITE,    ///< the size of `face` is infinite or not a number; it was left as it is
-  ITERATION_LIMIT     ///< the allowed number of splits was not enough; `face` was the largest face then
+  REFINED,         ///< no face is larger than the target
+  INVALID_TARGET,  ///< the target size is not positive; nothing was done
+  SIZE_NOT_FINITE, ///< the size of `face` is infinite or not a number; it was left as it is
+  ITERATION_LIMIT  ///< the allowed number of splits was not enough; `face` was the largest face then
 };
 
 /// returns one sentence that explains `status`.
@@ -86,7 +86,8 @@ public:
       m_knots(knots),
       m_corners(corners),
       m_face_size(face_size)
-  {}
+  {
+  }
 
   T_mesh_refinement_report<TMesh> run(const double target, const std::size_t number_of_splits)
   {
@@ -147,7 +148,7 @@ private:
     // Both lists are merged; the far side runs backwards.
     std::size_t i = 0, j = far.size();
     while (i < near.size() || j > 0) {
-      const bool has_near = i < near.size(), has_far = j > 0;
+      const bool has_near = i<near.size(), has_far = j> 0;
       const FT x = has_near ? near[i] : size, y = has_far ? FT(size - far[j - 1]) : size;
       const bool is_met_twice = has_near && has_far && CGAL::abs(FT(x - y)) <= tolerance(size);
       consider((std::min)(x, y), is_met_twice);
@@ -193,11 +194,11 @@ private:
 
 /// splits the faces of a T-mesh until none is larger than a target size ([CZ17] section 9.2: "1-to-2 face splits").
 ///
-/// The largest face comes first. It is split across its longer side, at a vertex in the middle third of one of the two sides
-/// that are cut, one that both have if there is one, or else in the middle.
+/// The largest face comes first. It is split across its longer side, at a vertex in the middle third of one of the two
+/// sides that are cut, one that both have if there is one, or else in the middle.
 ///
-/// It ends if the size of a face tends to zero with its extent in the parameter domain: each split leaves a face at most two
-/// thirds of an extent. This holds for `Parametric_face_size` and `Surface_face_size`.
+/// It ends if the size of a face tends to zero with its extent in the parameter domain: each split leaves a face at
+/// most two thirds of an extent. This holds for `Parametric_face_size` and `Surface_face_size`.
 /// \tparam TMesh a model of `MutableFaceGraph` and `FaceListGraph`; it may be non-simple
 /// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_mesh_editor`
 /// \tparam FaceSize a model of `TMeshFaceSize`; it is not copied, so that it may follow the changes
@@ -211,10 +212,9 @@ private:
 /// Complexity: O(log n) for each split, plus the number of halfedges of the face, plus its size.
 template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename FaceSize,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-T_mesh_refinement_report<TMesh> refine_T_mesh(TMesh& t_mesh, const HalfedgeKnotMap knots,
-                                              const HalfedgeCornerMap corners, const FaceSize& face_size,
-                                              const double target_size,
-                                              const NamedParameters& np = CGAL::parameters::default_values())
+T_mesh_refinement_report<TMesh>
+refine_T_mesh(TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners, const FaceSize& face_size,
+              const double target_size, const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;

@@ -53,16 +53,19 @@ void aspect_statistics(const TMesh& t_mesh, const Regularization& regularization
 
 /// makes the faces of a T-mesh squarer by removing edges, wholly or in part ([CZ17] section 8.1).
 ///
-/// Greedily, the face with the worst aspect ratio comes first; of the removals on its long sides the one is executed after
-/// which the worst of the faces concerned is best, if it is better than before by at least 5 percent. So it ends. Edges
-/// at extraordinary vertices are removed only in part, and no such vertex moves.
+/// Greedily, the face with the worst aspect ratio comes first; of the removals on its long sides the one is executed
+/// after which the worst of the faces concerned is best, if it is better than before by at least 5 percent. So it
+/// ends. Faces are counted, too: each one more must make the worst better by a third, and where no face is worse than
+/// 1:3 none is added. Edges at extraordinary vertices are removed only in part, and no such vertex moves.
 /// \tparam TMesh a model of `MutableFaceGraph` and `FaceListGraph`; it may be non-simple
 /// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_mesh_editor`
 /// \pre the knots are admissible
-/// \param np named parameters: `visitor`, a model of `TMeshVisitor`; `vertex_is_constrained_map`, vertices that are treated as
-///        extraordinary ones; `number_of_iterations`, a `std::size_t`, the largest number of operations (no bound)
+/// \param np named parameters: `visitor`, a model of `TMeshVisitor`; `vertex_is_constrained_map`, vertices that are
+///        treated as extraordinary ones; `number_of_iterations`, a `std::size_t`, the largest number of operations (no
+///        bound)
 /// \return how many operations were done, and aspect ratios before and after
-/// Complexity: O(log n) for each operation, plus the number of halfedges of the faces that it touches and of their neighbours.
+/// Complexity: O(log n) for each operation, plus the number of halfedges of the faces that it touches and of their
+/// neighbours; quadratic in the number of T-joints of a single face.
 template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 T_mesh_regularization_report regularize_T_mesh(TMesh& t_mesh, const HalfedgeKnotMap knots,
@@ -77,9 +80,8 @@ T_mesh_regularization_report regularize_T_mesh(TMesh& t_mesh, const HalfedgeKnot
                                                                             NamedParameters, Not_constrained>::type;
   using Visitor = typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::visitor_t, NamedParameters,
                                                                      T_mesh_visitor>::type;
-  const std::size_t number_of_operations =
-      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
-                       (std::numeric_limits<std::size_t>::max)());
+  const std::size_t number_of_operations = choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
+                                                            (std::numeric_limits<std::size_t>::max)());
   internal::T_mesh_regularization<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Visitor, Constraint_map> regularization(
       t_mesh, knots, corners, choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor()),
       choose_parameter(get_parameter(np, CGAL::internal_np::vertex_is_constrained), Not_constrained()));

@@ -26,8 +26,8 @@ namespace internal {
 
 // Moves a maximal straight line of edges of a T-mesh to its side.
 //
-// Lengths of the edges that meet the line orthogonally change by the displacement, in each face's own units; nothing else
-// changes, as each face that the line touches has a full side on it.
+// Lengths of the edges that meet the line orthogonally change by the displacement, in each face's own units; nothing
+// else changes, as each face that the line touches has a full side on it.
 template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename Visitor>
 class Line_shift {
   using Traits = boost::graph_traits<TMesh>;
@@ -55,10 +55,7 @@ class Line_shift {
   };
 
 public:
-  explicit Line_shift(Surgery& surgery)
-    : m_surgery(surgery),
-      m_t_mesh(surgery.t_mesh())
-  {}
+  explicit Line_shift(Surgery& surgery) : m_surgery(surgery), m_t_mesh(surgery.t_mesh()) {}
 
   template <typename IsFixed>
   Status shift(const halfedge_descriptor h, const FT& delta, const IsFixed& is_fixed)

@@ -19,8 +19,9 @@ namespace internal {
 
 // How long on a surface a unit step along u and one along v are, fitted to points (u, v) with their places in space.
 //
-// The squared distances of pairs of nearby points are fitted by a first fundamental form with orthogonal axes, as conformal
-// maps have it; chords of nearby points are hardly shorter than the surface between them, however the patch is bent.
+// The squared distances of pairs of nearby points are fitted by a first fundamental form with orthogonal axes, as
+// conformal maps have it; chords of nearby points are hardly shorter than the surface between them, however the patch
+// is bent.
 class Metric_fit {
 public:
   struct Sample {
@@ -37,10 +38,10 @@ public:
   {
     if (samples.empty())
       return {{0, 0}, false};
-    const auto u = std::minmax_element(samples.begin(), samples.end(),
-                                       [](const Sample& a, const Sample& b) { return a.u < b.u; });
-    const auto v = std::minmax_element(samples.begin(), samples.end(),
-                                       [](const Sample& a, const Sample& b) { return a.v < b.v; });
+    const auto u =
+        std::minmax_element(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.u < b.u; });
+    const auto v =
+        std::minmax_element(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.v < b.v; });
     const double u_min = u.first->u, v_min = v.first->v;
     double width = u.second->u - u_min, height = v.second->v - v_min;
     if (!(width > 0 || height > 0))

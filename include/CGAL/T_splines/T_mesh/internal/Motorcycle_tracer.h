@@ -9,18 +9,19 @@
 #include <CGAL/T_splines/T_mesh/internal/Chart_points.h>
 #include <CGAL/T_splines/T_mesh/internal/Lines_in_faces.h>
 #include <CGAL/T_splines/T_mesh/internal/Motorcycle_traces.h>
+#include <CGAL/T_splines/T_mesh/internal/Spiral_detection.h>
 #include <CGAL/T_splines/T_mesh/internal/Vertex_stars.h>
+#include <CGAL/T_splines/T_mesh/internal/places_on_chords.h>
 #include <CGAL/T_splines/T_mesh/internal/isoline_directions.h>
 
 #include <CGAL/assertions.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
+#include <optional>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -38,7 +39,7 @@ namespace internal {
 /// which it arrives; the rays of the vertex at which it arrives. Each meeting is decided by signs of exact expressions.
 ///
 /// Where the scales of the transitions are not all 1, a trace may spiral towards a closed isoline for ever, its turns
-/// ever closer. One that comes back to an edge in the same direction on a smaller scale (or `maximal_passes` times at all)
+/// ever closer. One that comes back to an edge in the same direction on a smaller scale (or very often at all, see `Spiral_detection`)
 /// gets a seed in its way: two motorcycles leave it sideways, and its own next turn, or another's, meets them.
 template <typename FT, typename TracingTraits>
 class Motorcycle_tracer {
@@ -54,7 +55,6 @@ class Motorcycle_tracer {
 
 public:
   static constexpr int none = -1;
-  static constexpr int maximal_passes = 4096;
   static constexpr int maximal_seeds_per_trace = 256;
 
   /// \param points of the vertices: for the length of the traces on the surface
@@ -64,13 +64,12 @@ public:
       m_chart_points(layout, points),
       m_traits(traits),
       m_lines(layout, traits),
-      m_stars(layout, traits)
+      m_stars(layout, traits),
+      m_spirals(layout)
   {
     m_traces.first_chord_in_face.assign(m_mesh.number_of_faces(), none);
     m_traces.first_chord_along_edge.assign(m_mesh.number_of_edges(), none);
     m_traces.first_crossing_of_edge.assign(m_mesh.number_of_edges(), none);
-    for (int b = 0; b < layout.number_of_branches(); ++b)
-      m_log_scale.push_back(fixed_point_logarithm(CGAL::to_double(layout.transition_of_branch(b).scale())));
   }
 
   /// Traces the whole graph. \param visitor a progress visitor
@@ -116,13 +115,6 @@ private:
     Ray_state state = Ray_state::FREE;
     int trace = none;
   };
-
-  // Scales that differ by less are taken for equal, here, where it matters only for when seeds are set.
-  static std::int64_t fixed_point_logarithm(const double scale)
-  {
-    return static_cast<std::int64_t>(std::llround(std::ldexp(std::log(scale), 40)));
-  }
-  static bool is_smaller_scale(const std::int64_t a, const std::int64_t b) { return a < b - 64; }
 
   // --- starts
 
@@ -294,12 +286,7 @@ private:
 
   // --- meetings in a face
 
-  /// Whether a chord covers a place of its line, its ends included.
-  bool covers(const Chord& chord, const Number& along) const
-  {
-    return (chord.start == none || !m_lines.is_ahead(chord.direction, along, m_traces.coordinates[chord.start])) &&
-           (chord.stop == none || !m_lines.is_ahead(chord.direction, m_traces.coordinates[chord.stop], along));
-  }
+  bool covers(const Chord& chord, const Number& along) const { return chord_covers(m_traces, m_lines, chord, along); }
 
   /// The first chord that a line meets strictly inside a face.
   int first_chord_ahead(const int face, const int direction, const Number& line, const Gate& entry,
@@ -415,14 +402,6 @@ private:
     return line_across_edge(m_layout, m_traces.numbers, h, line, direction);
   }
 
-  std::int64_t log_scale_across(const int h) const
-  {
-    if (!m_layout.is_cut(h >> 1))
-      return 0;
-    const std::int64_t along = m_log_scale[m_layout.branch(h >> 1)];
-    return m_layout.is_along(h >> 1) == ((h & 1) == 0) ? along : -along;
-  }
-
   /// The motorcycle is in the interior of the edge of h, which belongs to the face that it has crossed.
   void arrive_at_edge(const int trace, const int c, const int h)
   {
@@ -490,13 +469,13 @@ private:
     first = static_cast<int>(m_traces.crossings.size());
     m_traces.chords[c].crossing = first;
     m_traces.crossings.push_back(crossing);
-    m_scale_at_crossing.push_back(motorcycle.log_scale);
+    m_spirals.add_crossing(motorcycle.log_scale);
     motorcycle.place = Motorcycle::Place::ON_EDGE;
     motorcycle.halfedge = h ^ 1;
     motorcycle.direction = direction;
     motorcycle.line = line;
-    motorcycle.log_scale += log_scale_across(h);
-    if (is_endless(trace, first, h))
+    motorcycle.log_scale += m_spirals.log_scale_across(h);
+    if (m_spirals.is_endless(m_traces, first, h, motorcycle.last_seed))
       set_seed(trace, c);
   }
 
@@ -514,7 +493,7 @@ private:
       return end_on_edge(trace, c, h, nearest);
     const int star = m_stars.star_of_vertex(m_mesh.target(h));
     move_to(trace, m_chart_points.of_vertex(m_mesh.target(h)));
-    m_motorcycles[trace].log_scale += log_scale_across(h); // the ray there is seen from the other side
+    m_motorcycles[trace].log_scale += m_spirals.log_scale_across(h); // the ray there is seen from the other side
     arrive_at_vertex(trace, c, star, m_stars.slot_along(star, h ^ 1));
   }
 
@@ -546,24 +525,6 @@ private:
 
   // --- seeds on spirals
 
-  /// Whether the trace goes through an edge too often. \param crossing its last one, leaving a face through h
-  bool is_endless(const int trace, const int crossing, const int h) const
-  {
-    int passes = 0;
-    const std::int64_t scale = m_scale_at_crossing[crossing];
-    const int side = h & 1, direction = m_traces.crossings[crossing].direction[side];
-    for (int r = m_traces.crossings[crossing].next_on_edge; r != none; r = m_traces.crossings[r].next_on_edge) {
-      const Edge_crossing& record = m_traces.crossings[r];
-      if (m_traces.chords[record.chord].trace != trace || record.direction[side] != direction)
-        continue;
-      if (m_traces.chords[record.chord].ordinal < m_motorcycles[trace].last_seed)
-        break; // the crossings of an edge are listed from the last one to the first
-      if (++passes >= maximal_passes || is_smaller_scale(scale, m_scale_at_crossing[r]))
-        return true;
-    }
-    return false;
-  }
-
   /// Sends two motorcycles to both sides from a place inside a chord that leaves its face.
   void set_seed(const int trace, const int c)
   {
@@ -572,61 +533,26 @@ private:
       return;
     }
     const Chord chord = m_traces.chords[c];
-    const Number along = free_place_inside(chord);
-    if (!(along.lower == along.lower))
-      return; // the chord is too short for one: the next one will do
+    const std::optional<double> place = free_place_on_chord(m_layout, m_traces, m_lines, m_traits, chord);
+    if (!place)
+      return; // the chord is too short for a seed: one of the next ones will do
+    const Number along = {*place, *place, nullptr};
     ++m_number_of_seeds;
     m_motorcycles[trace].last_seed = chord.ordinal + 1;
-    const int node = node_on_chord(c, along), start = m_traces.add_coordinate(along);
+    const int node = node_on_chord(c, along);
     for (const int turn : {1, 3}) {
       Motorcycle motorcycle = m_motorcycles[trace];
       motorcycle.place = Motorcycle::Place::INSIDE;
       motorcycle.face = chord.face;
       motorcycle.start = m_traces.add_coordinate(chord.line);
       motorcycle.direction = turned(chord.direction, turn);
-      motorcycle.line = m_traces.coordinates[start];
+      motorcycle.line = along;
       motorcycle.seeds = motorcycle.last_seed = 0;
       const int side_trace = new_trace(motorcycle, node, motorcycle.direction);
       advance(side_trace);
       if (m_motorcycles[side_trace].place != Motorcycle::Place::ENDED)
         enqueue(side_trace);
     }
-  }
-
-  /// A double strictly inside the face on a chord, where no other chord begins or ends; NaN if none was found.
-  Number free_place_inside(const Chord& chord) const
-  {
-    const int axis = axis_along(chord.direction);
-    double lower = std::numeric_limits<double>::infinity(), upper = -lower;
-    int h = m_mesh.halfedge_of_face(chord.face);
-    for (int i = 0; i < 3; ++i, h = m_mesh.next(h)) {
-      lower = (std::min)(lower, m_layout.uv(h)[axis]);
-      upper = (std::max)(upper, m_layout.uv(h)[axis]);
-    }
-    for (int denominator = 2; denominator <= 256; denominator *= 2)
-      for (int numerator = 1; numerator < denominator; numerator += 2) {
-        const double x = lower + (upper - lower) * numerator / denominator;
-        if (is_free_place(chord, {x, x, nullptr}))
-          return {x, x, nullptr};
-      }
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    return {nan, nan, nullptr};
-  }
-
-  bool is_free_place(const Chord& chord, const Number& along) const
-  {
-    if (chord.start != none || !covers(chord, along))
-      return false;
-    int h = m_mesh.halfedge_of_face(chord.face);
-    for (int i = 0; i < 3; ++i, h = m_mesh.next(h))
-      if (m_traits.orientation(m_lines.corner(m_mesh.previous(h)), m_lines.corner(h),
-                               m_lines.point_on_line(chord.direction, chord.line, along)) != CGAL::POSITIVE)
-        return false;
-    for (int c = m_traces.first_chord_in_face[chord.face]; c != none; c = m_traces.chords[c].next_in_place)
-      if (axis_along(m_traces.chords[c].direction) != axis_along(chord.direction) &&
-          m_traits.compare(m_traces.chords[c].line, along) == CGAL::EQUAL)
-        return false;
-    return true;
   }
 
   const Layout& m_layout;
@@ -636,10 +562,9 @@ private:
   const Lines m_lines;
   Vertex_stars<FT, TracingTraits> m_stars;
   Traces m_traces;
-  std::vector<Motorcycle> m_motorcycles;         // per trace
-  std::vector<Ray_occupation> m_occupation;      // per ray of the stars
-  std::vector<std::int64_t> m_log_scale;         // per branch
-  std::vector<std::int64_t> m_scale_at_crossing; // per crossing
+  std::vector<Motorcycle> m_motorcycles;    // per trace
+  std::vector<Ray_occupation> m_occupation; // per ray of the stars
+  Spiral_detection<FT> m_spirals;
   using Waiting = std::pair<double, int>;
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<Waiting>> m_queue;
   std::size_t m_number_of_border_traces = 0, m_number_of_seeds = 0;

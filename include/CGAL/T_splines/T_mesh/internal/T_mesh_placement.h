@@ -34,6 +34,7 @@ class T_mesh_placement {
   using Walker = Isoline_walker<FT, TracingTraits>;
   using Stand = typename Walker::Stand;
   using Vertex_flag_map = typename boost::property_map<TMesh, CGAL::dynamic_vertex_property_t<bool>>::const_type;
+  using Halfedge_flag_map = typename boost::property_map<TMesh, CGAL::dynamic_halfedge_property_t<bool>>::const_type;
 
 public:
   using Point_3 = typename Walker::Point_3;
@@ -45,8 +46,14 @@ public:
       m_knots(knots),
       m_corners(corners),
       m_walker(map.layout(), points, traits),
-      m_is_placed(get(CGAL::dynamic_vertex_property_t<bool>(), t_mesh))
+      m_is_placed(get(CGAL::dynamic_vertex_property_t<bool>(), t_mesh)),
+      m_is_main(get(CGAL::dynamic_halfedge_property_t<bool>(), t_mesh))
   {
+    for (const auto e : CGAL::make_range(edges(t_mesh))) { // an edge made of a halfedge may remember which one it was
+      const halfedge_descriptor h = halfedge(e, t_mesh);
+      put(m_is_main, h, true);
+      put(m_is_main, opposite(h, t_mesh), false);
+    }
     for (const vertex_descriptor v : CGAL::make_range(vertices(t_mesh)))
       put(m_is_placed, v, false);
   }
@@ -154,7 +161,7 @@ private:
   {
     const halfedge_descriptor back = opposite(h, m_t_mesh);
     const bool is_new = !get(m_is_placed, target(h, m_t_mesh));
-    const bool is_main = halfedge(edge(h, m_t_mesh), m_t_mesh) == h;
+    const bool is_main = get(m_is_main, h);
     if (!is_new && !is_main)
       return true; // the polyline comes from the other end
     std::vector<Point_3> polyline(1, m_walker.point(stand));
@@ -162,7 +169,7 @@ private:
       return false;
     if (!is_main)
       std::reverse(polyline.begin(), polyline.end());
-    found_edge(edge(h, m_t_mesh), polyline);
+    found_edge(edge(is_main ? h : back, m_t_mesh), polyline);
     if (is_new) {
       reach(back, stand, found_vertex);
       m_queue.push_back({back, stand});
@@ -176,6 +183,7 @@ private:
   const HalfedgeCornerMap m_corners;
   Walker m_walker;
   Vertex_flag_map m_is_placed;
+  Halfedge_flag_map m_is_main; // the halfedge of its edge
   std::deque<Known_halfedge> m_queue;
 };
 

@@ -27,7 +27,10 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-inline double aspect_ratio(const double a, const double b) { return a > b ? a / b : b / a; }
+inline double aspect_ratio(const double a, const double b)
+{
+  return a > b ? a / b : b / a;
+}
 
 // A short fraction of powers of two that is near x, 0 < x < 1: three significant bits.
 inline std::pair<int, int> short_fraction(const double x)
@@ -45,8 +48,7 @@ class T_mesh_regularization {
   using halfedge_descriptor = typename Traits::halfedge_descriptor;
   using face_descriptor = typename Traits::face_descriptor;
   using Editor_visitor = T_mesh_visitor_pair<typename Changed_faces<TMesh>::Visitor, Visitor>;
-  using Editor =
-      T_mesh_editor<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Editor_visitor, VertexIsConstrainedMap>;
+  using Editor = T_mesh_editor<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Editor_visitor, VertexIsConstrainedMap>;
   using FT = typename Editor::FT;
 
   // The part from `from` to `to`, as fractions, of the overlap of the two faces of `h` is to be removed.
@@ -59,10 +61,10 @@ class T_mesh_regularization {
 
   // What the prediction needs to know of an overlap; a unit of length is one of the first face.
   struct Sizes {
-    double length;                   // of the overlap
-    std::array<double, 2> depth;     // of the two faces, across
-    std::array<double, 2> before;    // how far the two faces reach beyond the overlap's beginning
-    std::array<double, 2> after;     // and its end
+    double length;                // of the overlap
+    std::array<double, 2> depth;  // of the two faces, across
+    std::array<double, 2> before; // how far the two faces reach beyond the overlap's beginning
+    std::array<double, 2> after;  // and its end
     bool first_is_fixed, last_is_fixed;
 
     double old_aspect() const
@@ -116,8 +118,8 @@ public:
   // ratios, rounded down to powers of the factor, sorted decreasingly, decreases lexicographically.
   static constexpr double gain = 0.95;
 
-  // Chosen by experiments on 58 motorcycle graphs: of two operations, one with one face more must have an aspect ratio that
-  // is better by this factor,
+  // Chosen by experiments on 58 motorcycle graphs: of two operations, one with one face more must have an aspect ratio
+  // that is better by this factor,
   static constexpr double face_cost = 1.5;
   // and where no face is worse than this, none is added.
   static constexpr double small_aspect = 3;
@@ -127,7 +129,8 @@ public:
     : m_t_mesh(t_mesh),
       m_corners(corners),
       m_editor(t_mesh, knots, corners, Editor_visitor(m_changed_faces.visitor(), visitor), vertex_is_constrained)
-  {}
+  {
+  }
 
   // Executes at most the given number of operations.
   Counts run(const std::size_t number_of_operations)
@@ -261,13 +264,18 @@ private:
     return is_found;
   }
 
-  // Where a removal may begin, as fractions of the overlap's length; exact doubles.
+  // Where a removal may begin, as fractions of the overlap's length; exact doubles. What is left of the two faces
+  // becomes about as long as they are wide, or half or double that.
   static std::vector<double> fractions(const Sizes& s, const std::array<double, 2>& reach)
   {
+    std::vector<double> lengths{std::sqrt(s.depth[0] * s.depth[1]), (s.depth[0] + s.depth[1]) / 2};
+    for (int i = 0; i < 2; ++i) {
+      for (const double factor : {0.5, 1., 2.})
+        lengths.push_back(factor * s.depth[i] - reach[i]);
+    }
     std::vector<double> result;
-    for (const double x : {s.depth[0] - reach[0], s.depth[1] - reach[1], std::sqrt(s.depth[0] * s.depth[1]),
-                           (s.depth[0] + s.depth[1]) / 2}) {
-      const double fraction = x / s.length;
+    for (const double length : lengths) {
+      const double fraction = length / s.length;
       if (!(fraction > 1e-9 && fraction < 1))
         continue;
       const std::pair<int, int> rounded = short_fraction(fraction);

@@ -41,7 +41,8 @@ public:
       m_corners(corners),
       m_visitor(visitor),
       m_coordinates(t_mesh, knots, corners)
-  {}
+  {
+  }
 
   // Inserts a vertex at the distance x from the source of h. Returns the halfedge that ends there; h begins there now,
   // and the opposite of h ends there.
@@ -221,8 +222,7 @@ private:
     const face_descriptor f = face(h, m_t_mesh), g = face(o, m_t_mesh);
     const Similarity_2<FT> g_to_f = m_coordinates.transition(o);
     const int side = m_coordinates.side(h), other_side = m_coordinates.side(o);
-    const FT depth =
-        g_to_f.scale() * (other_side % 2 == 0 ? FT(m_coordinates.height(g)) : FT(m_coordinates.width(g)));
+    const FT depth = g_to_f.scale() * (other_side % 2 == 0 ? FT(m_coordinates.height(g)) : FT(m_coordinates.width(g)));
     const FT zero(0);
     const Similarity_2<FT> move(0, FT(1), side == 3 ? depth : zero, side == 0 ? depth : zero);
     const FT width = m_coordinates.width(f) + (side % 2 == 1 ? depth : zero);
