@@ -323,6 +323,37 @@ TEMPLATE_TEST_CASE("Knots in doubles are those of the exact graph, rounded", "[t
   }
 }
 
+// Stops the work after a number of questions whether to go on.
+struct Stopping_visitor : CGAL::T_splines::Progress_visitor {
+  int* left;
+
+  explicit Stopping_visitor(int& questions) : left(&questions) {}
+  bool go_on() const { return (*left)-- > 0; }
+};
+
+TEST_CASE("An empty map, and a visitor that stops the work: the T-mesh stays empty", "[trace]")
+{
+  const auto trace = [](const Plain_map& plain, int questions) {
+    const Surface_mesh mesh = test_meshes::face_graph<Surface_mesh>(plain);
+    std::map<Surface_mesh::Halfedge_index, Kernel::Point_2> uv;
+    put_corners(plain, mesh, boost::make_assoc_property_map(uv));
+    CGAL::T_splines::Seamless_map<Surface_mesh> map(mesh);
+    if (num_faces(mesh) > 0)
+      REQUIRE(make_exactly_seamless(mesh, boost::make_assoc_property_map(uv), map).success());
+    Surface_mesh t_mesh;
+    const auto knots = t_mesh.add_property_map<Surface_mesh::Halfedge_index, Exact>("h:knot").first;
+    const auto corners = t_mesh.add_property_map<Surface_mesh::Halfedge_index, bool>("h:corner").first;
+    const auto report =
+        trace_motorcycle_graph(map, t_mesh, knots, corners, CGAL::parameters::visitor(Stopping_visitor(questions)));
+    CHECK(num_vertices(t_mesh) + num_halfedges(t_mesh) + num_faces(t_mesh) == (report.success() ? 8 + 24 + 6 : 0));
+    return report.status;
+  };
+  using Status = CGAL::T_splines::Motorcycle_graph_status;
+  CHECK(trace(Plain_map(), 1000000) == Status::EMPTY_MAP);
+  CHECK(trace(folded(net(cube(), 8, Pattern::CROSSES)), 1000000) == Status::SUCCESS);
+  CHECK(trace(folded(folded_triangle({{1. / 4096, -63. / 262144}}, {{1, 1 - 3. / 524288}})), 0) == Status::INTERRUPTED);
+}
+
 TEST_CASE("The checker finds what is wrong with a T-mesh", "[trace]")
 {
   const Traced traced(folded(net(cube(), 2, Pattern::CROSSES)));

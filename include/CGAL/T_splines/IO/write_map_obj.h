@@ -11,7 +11,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <cstddef>
 #include <string>

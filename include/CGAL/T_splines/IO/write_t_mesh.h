@@ -12,7 +12,7 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 #include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>

@@ -12,7 +12,7 @@
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <utility>
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <boost/container_hash/hash.hpp>
 #include <boost/graph/graph_traits.hpp>

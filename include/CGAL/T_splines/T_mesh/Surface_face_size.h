@@ -8,11 +8,12 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/internal/Metric_fit.h>
 
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <boost/container_hash/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <unordered_map>
@@ -46,8 +47,9 @@ private:
 /// `TMeshFaceSize`.
 ///
 /// In each face a first fundamental form is fitted to the distances of nearby points. A face with too few points gets
-/// the form of the old face from which it was cut, so that refinement need not stop where the points get sparse. A
-/// face that had less than two points from the start has size zero: add its corners.
+/// the form of the old face from which it was cut, so that refinement need not stop where the points get sparse. With
+/// each change of a face, the length of a parameter unit grows by a fifth at most, so that refinement ends. A face that
+/// had less than two points from the start has size zero: add its corners.
 ///
 /// Functions that change the T-mesh must be given `visitor()`.
 /// \tparam Points a `Carried_points` whose payload is a point with `x()`, `y()`, `z()`
@@ -72,8 +74,15 @@ public:
     Surface_face_size* m_size;
   };
 
-  /// \param points must outlive this; they are moved by `visitor()`
-  Surface_face_size(const Coordinates& coordinates, Points& points) : m_coordinates(coordinates), m_points(&points) {}
+  /// measures all faces.
+  /// \param points all of them; they must outlive this, and are moved by `visitor()` from now on
+  Surface_face_size(const Coordinates& coordinates, Points& points) : m_coordinates(coordinates), m_points(&points)
+  {
+    for (const face_descriptor f : faces(coordinates.t_mesh())) {
+      const double width = CGAL::to_double(coordinates.width(f)), height = CGAL::to_double(coordinates.height(f));
+      m_units.emplace(f, measured(f, width, height).lengths);
+    }
+  }
 
   Visitor visitor() { return Visitor(*this); }
 
@@ -88,7 +97,11 @@ public:
 private:
   using Fit = internal::Metric_fit;
 
-  Fit::Result measured(const face_descriptor f) const
+  // A split leaves at most two thirds of an extent. So the product of the two lengths is multiplied by less than
+  // 2/3 growth^2 < 1, and the refinement of any points ends, however little they look like a surface.
+  static constexpr double growth = 1.2;
+
+  Fit::Result measured(const face_descriptor f, const double width, const double height) const
   {
     std::vector<Fit::Sample> samples;
     for (const auto& p : m_points->points(f))
@@ -96,14 +109,14 @@ private:
           {CGAL::to_double(p.u),
            CGAL::to_double(p.v),
            {CGAL::to_double(p.payload.x()), CGAL::to_double(p.payload.y()), CGAL::to_double(p.payload.z())}});
-    return Fit::fit(std::move(samples));
+    return Fit::fit(std::move(samples), width, height);
   }
 
   // The lengths of a unit step along u and of one along v.
   std::array<double, 2> units(const face_descriptor f) const
   {
     const auto found = m_units.find(f);
-    return found != m_units.end() ? found->second : measured(f).lengths;
+    return found != m_units.end() ? found->second : std::array<double, 2>{0, 0};
   }
 
   template <typename FT>
@@ -125,9 +138,14 @@ private:
       const auto inserted = m_units.emplace(pieces[i].to, inherited[i]);
       if (!inserted.second)
         continue;
-      const Fit::Result fit = measured(pieces[i].to);
-      if (fit.is_measured || !(inherited[i][0] > 0))
+      const Fit::Result fit =
+          measured(pieces[i].to, CGAL::to_double(pieces[i].width), CGAL::to_double(pieces[i].height));
+      if (!(inherited[i][0] > 0))
         inserted.first->second = fit.lengths;
+      else if (fit.is_measured) {
+        for (int k = 0; k < 2; ++k)
+          inserted.first->second[k] = (std::min)(fit.lengths[k], growth * inherited[i][k]);
+      }
     }
   }
 

@@ -7,7 +7,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Seamless_layout.h>
 
 #include <CGAL/enum.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <cmath>
 #include <cstddef>

@@ -9,7 +9,7 @@
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 #include <CGAL/use.h>
 
 #include <boost/graph/graph_traits.hpp>

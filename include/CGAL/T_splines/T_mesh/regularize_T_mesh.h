@@ -55,8 +55,9 @@ void aspect_statistics(const TMesh& t_mesh, const Regularization& regularization
 ///
 /// Greedily, the face with the worst aspect ratio comes first; of the removals on its long sides the one is executed
 /// after which the worst of the faces concerned is best, if it is better than before by at least 5 percent. So it
-/// ends. Faces are counted, too: each one more must make the worst better by a third, and where no face is worse than
-/// 1:3 none is added. Edges at extraordinary vertices are removed only in part, and no such vertex moves.
+/// ends. Of two removals, one that leaves a face more is taken only if its worst aspect ratio is better by a factor of
+/// 1.5; and where no face is worse than 1:3, no face is added. Edges at extraordinary vertices are removed only in
+/// part, and no such vertex moves.
 /// \tparam TMesh a model of `MutableFaceGraph` and `FaceListGraph`; it may be non-simple
 /// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_mesh_editor`
 /// \pre the knots are admissible

@@ -9,7 +9,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_type_config.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <cmath>

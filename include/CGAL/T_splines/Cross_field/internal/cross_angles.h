@@ -8,7 +8,7 @@
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <array>
 #include <cstddef>

@@ -15,7 +15,7 @@
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <array>

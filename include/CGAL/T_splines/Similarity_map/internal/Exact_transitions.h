@@ -11,7 +11,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Gaussian_number.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <array>

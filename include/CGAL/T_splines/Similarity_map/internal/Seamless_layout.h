@@ -7,7 +7,7 @@
 #include <CGAL/T_splines/Similarity_map/Similarity_2.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <array>
 #include <utility>

@@ -9,7 +9,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <array>
 #include <cmath>

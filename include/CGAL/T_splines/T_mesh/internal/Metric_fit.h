@@ -34,7 +34,8 @@ public:
     bool is_measured;              // both; otherwise they are equal, for want of points that differ in both directions
   };
 
-  static Result fit(std::vector<Sample> samples)
+  // Points that span less than a quarter of their face in one direction say nothing about it.
+  static Result fit(std::vector<Sample> samples, const double face_width, const double face_height)
   {
     if (samples.empty())
       return {{0, 0}, false};
@@ -43,11 +44,11 @@ public:
     const auto v =
         std::minmax_element(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.v < b.v; });
     const double u_min = u.first->u, v_min = v.first->v;
-    double width = u.second->u - u_min, height = v.second->v - v_min;
-    if (!(width > 0 || height > 0))
+    const double u_extent = u.second->u - u_min, v_extent = v.second->v - v_min;
+    const bool is_wide = u_extent > face_width / 4, is_high = v_extent > face_height / 4;
+    if (!is_wide && !is_high)
       return {{0, 0}, false};
-    width = width > 0 ? width : height;
-    height = height > 0 ? height : width;
+    const double width = is_wide ? u_extent : face_width, height = is_high ? v_extent : face_height;
 
     Metric_fit metric;
     for (Sample& s : samples) {
@@ -56,7 +57,9 @@ public:
     }
     metric.add_pairs(samples, &Sample::u, &Sample::v);
     metric.add_pairs(samples, &Sample::v, &Sample::u);
-    return metric.solve(width, height);
+    Result result = metric.solve(width, height);
+    result.is_measured = result.is_measured && is_wide && is_high;
+    return result;
   }
 
 private:
@@ -74,7 +77,8 @@ private:
     }
   }
 
-  // Each pair has the same weight, however long it is.
+  // Pairs have weights as the squares of their parametric lengths: where the map is nearly degenerate, small steps are
+  // long on the surface, and would count for all.
   void add_pair(const Sample& a, const Sample& b)
   {
     const double u = b.u - a.u, v = b.v - a.v, length = u * u + v * v;
@@ -84,19 +88,20 @@ private:
     for (int i = 0; i < 3; ++i)
       distance += (b.p[i] - a.p[i]) * (b.p[i] - a.p[i]);
     const Eigen::Vector2d row = Eigen::Vector2d(u * u, v * v) / length;
-    m_matrix += row * row.transpose();
-    m_right += row * (distance / length);
-    m_squares += row;
-    m_distance += distance / length;
-    m_pairs += 1;
+    m_matrix += length * row * row.transpose();
+    m_right += row * distance;
+    m_squares += length * row;
+    m_distance += distance;
+    m_weight += length;
+    ++m_pairs;
   }
 
   Result solve(const double width, const double height) const
   {
     if (m_pairs == 0)
       return {{0, 0}, false};
-    const double mean = m_distance / m_pairs;
-    if (m_pairs >= 12 && m_matrix.determinant() > 0.02 * m_pairs * m_pairs) {
+    const double mean = m_distance / m_weight;
+    if (m_pairs >= 12 && m_matrix.determinant() > 0.02 * m_weight * m_weight) {
       const Eigen::Vector2d form = m_matrix.inverse() * m_right;
       if (form[0] > 0.01 * mean && form[1] > 0.01 * mean)
         return {{std::sqrt(form[0]) / width, std::sqrt(form[1]) / height}, true};
@@ -109,7 +114,8 @@ private:
   Eigen::Matrix2d m_matrix = Eigen::Matrix2d::Zero();
   Eigen::Vector2d m_right = Eigen::Vector2d::Zero();
   Eigen::Vector2d m_squares = Eigen::Vector2d::Zero();
-  double m_distance = 0, m_pairs = 0;
+  double m_distance = 0, m_weight = 0;
+  int m_pairs = 0;
 };
 
 } // namespace internal

@@ -11,7 +11,7 @@
 #include <CGAL/T_splines/internal/Face_graph_writer.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -8,7 +8,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Seamless_layout.h>
 #include <CGAL/T_splines/T_mesh/internal/isoline_directions.h>
 
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <deque>
 #include <utility>

@@ -8,7 +8,7 @@
 #include <CGAL/T_splines/T_mesh/internal/Changed_faces.h>
 
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <boost/container_hash/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
