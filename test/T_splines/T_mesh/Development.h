@@ -8,6 +8,8 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 
+#include <CGAL/Fraction_traits.h>
+
 #include <boost/container_hash/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
 
@@ -39,9 +41,13 @@ struct Lattice_group {
   }
 
   template <typename FT>
-  static bool is_integer(FT x)
+  static bool is_integer(const FT& x)
   {
-    return denominator(x) == 1;
+    using Fraction = CGAL::Fraction_traits<FT>;
+    typename Fraction::Numerator_type numerator;
+    typename Fraction::Denominator_type denominator;
+    typename Fraction::Decompose()(x, numerator, denominator);
+    return denominator == 1;
   }
 };
 

@@ -421,7 +421,7 @@ TEST_CASE("between cones only the middle of an edge can be removed", "[T_mesh_ed
 
 TEST_CASE("a T-joint is extended, an edge ends at a vertex that is there", "[T_mesh_editor]")
 {
-  test_t_meshes::T_mesh<Surface_mesh, Rational> t(t_joint(Rational(1) / 3));
+  test_t_meshes::T_mesh<Surface_mesh, Rational> t(t_joint(Rational(Rational(1) / 3)));
   Simple_editor<Rational> editor(t.mesh, t.knots(), t.corners());
   CHECK(editor.extend(t.halfedge_of(0, 2)).status == Status::NO_T_JOINT);
   CHECK(editor.extend(opposite(t.halfedge_of(0, 2), t.mesh)).status == Status::NO_FACE);
