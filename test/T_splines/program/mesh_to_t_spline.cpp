@@ -267,10 +267,10 @@ TEST_CASE("a disk that is full leaves nothing behind")
 TEST_CASE("an interrupted run has exit code 130 and leaves nothing behind")
 {
   const Temporary_directory directory;
-  write_torus(directory.file("torus.obj"), 300, 0, 1);
+  write_torus(directory.file("torus.obj"), 150, 0, 1);
   // In the background, timeout would signal twice, and the second signal ends the program at once.
   const Program_run run =
-      failing_run("'" + directory.file("torus.obj") + "'", "timeout --foreground --signal=INT --preserve-status 1");
+      failing_run("'" + directory.file("torus.obj") + "'", "timeout --foreground --signal=INT --preserve-status 0.5");
   CAPTURE(run.errors);
   CHECK(run.exit_code == 130);
 }
@@ -303,7 +303,7 @@ TEST_CASE("a good mesh gives the map, the T-mesh and the report")
   check_output(output, cube);
 }
 
-TEST_CASE("--map-only ends with the map")
+TEST_CASE("the option --map-only ends with the map")
 {
   const Temporary_directory directory;
   const std::string output = directory.file("output");

@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -41,7 +42,7 @@ public:
   T_mesh_roots(const TMesh& t_mesh, const FaceAnchorMap anchors) : m_roots(std::make_shared<std::vector<Root>>())
   {
     std::vector<face_descriptor> stack;
-    const auto is_reached = get(CGAL::dynamic_face_property_t<bool>(), const_cast<const TMesh&>(t_mesh));
+    const auto is_reached = get(CGAL::dynamic_face_property_t<bool>(), t_mesh);
     for (const face_descriptor f : CGAL::make_range(faces(t_mesh)))
       put(is_reached, f, false);
     for (const face_descriptor first : CGAL::make_range(faces(t_mesh))) {

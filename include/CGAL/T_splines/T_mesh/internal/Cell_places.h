@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_T_MESH_INTERNAL_CELL_PLACES_H
 
 #include <CGAL/T_splines/Similarity_map/internal/Seamless_layout.h>
+#include <CGAL/T_splines/T_mesh/Tracing_traits.h>
 #include <CGAL/T_splines/T_mesh/internal/Motorcycle_cells.h>
 #include <CGAL/T_splines/T_mesh/internal/Motorcycle_traces.h>
 #include <CGAL/T_splines/T_mesh/internal/Trace_arcs.h>
