@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_T_MESH_TRACING_TRAITS_H
 #define CGAL_T_SPLINES_T_MESH_TRACING_TRAITS_H
 
-#include <CGAL/T_splines/Similarity_map/internal/Seamless_layout.h>
+#include <CGAL/T_splines/Similarity_map/internal/Enclosed_number.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>
@@ -50,12 +50,8 @@ public:
   CGAL::Comparison_result compare(const Coordinate& a, const Coordinate& b) const
   {
     ++m_statistics.calls;
-    if (a.upper < b.lower)
-      return CGAL::SMALLER;
-    if (a.lower > b.upper)
-      return CGAL::LARGER;
-    if (a.exact == b.exact && a.lower == b.lower)
-      return CGAL::EQUAL; // the same double, or the same stored number
+    if (const auto order = internal::filtered_comparison(a, b))
+      return *order;
     ++m_statistics.exact_calls;
     return CGAL::compare(a.value(), b.value());
   }

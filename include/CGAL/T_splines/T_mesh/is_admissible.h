@@ -5,7 +5,7 @@
 #define CGAL_T_SPLINES_T_MESH_IS_ADMISSIBLE_H
 
 #include <CGAL/T_splines/T_mesh/Admissibility_report.h>
-#include <CGAL/T_splines/T_mesh/internal/exactness.h>
+#include <CGAL/T_splines/internal/exactness.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/iterator.h>

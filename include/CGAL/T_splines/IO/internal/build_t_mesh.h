@@ -5,8 +5,7 @@
 #define CGAL_T_SPLINES_IO_INTERNAL_BUILD_T_MESH_H
 
 #include <CGAL/T_splines/IO/internal/T_mesh_soup.h>
-
-#include <boost/graph/graph_traits.hpp>
+#include <CGAL/T_splines/internal/Face_graph_writer.h>
 
 #include <cstddef>
 #include <vector>
@@ -23,78 +22,75 @@ namespace internal {
 /// \pre `check_t_mesh_soup()` found nothing; `graph` is empty.
 template <typename MutableFaceGraph>
 class T_mesh_builder {
-  using Traits = boost::graph_traits<MutableFaceGraph>;
+  using Writer = Face_graph_writer<MutableFaceGraph>;
 
 public:
-  using vertex_descriptor = typename Traits::vertex_descriptor;
-  using halfedge_descriptor = typename Traits::halfedge_descriptor;
+  using vertex_descriptor = typename Writer::vertex_descriptor;
+  using halfedge_descriptor = typename Writer::halfedge_descriptor;
 
-  T_mesh_builder(const T_mesh_soup& soup, MutableFaceGraph& graph) : m_soup(soup), m_links(soup), m_graph(graph)
+  T_mesh_builder(const T_mesh_soup& soup, MutableFaceGraph& graph)
+    : m_links(soup),
+      m_number(paired_numbers(soup)),
+      m_writer(graph, static_cast<int>(soup.number_of_vertices()), number_of_edges(soup),
+               static_cast<int>(soup.number_of_faces()))
   {
-    for (std::size_t v = 0; v < soup.number_of_vertices(); ++v)
-      m_vertices.push_back(add_vertex(graph));
-    add_edges();
-    add_faces();
-    link_border();
+    for (std::size_t h = 0; h < soup.number_of_halfedges(); ++h)
+      m_writer.join(m_number[h], m_number[m_links.next(h)], static_cast<int>(m_links.target(h)),
+                    static_cast<int>(m_links.face(h)));
+    for (std::size_t h = 0; h < soup.number_of_halfedges(); ++h)
+      if (m_links.is_border_edge(h))
+        join_border(h);
+    for (std::size_t f = 0; f < soup.number_of_faces(); ++f)
+      m_writer.set_halfedge_of_face(static_cast<int>(f), m_number[soup.first_halfedge[f]]);
   }
 
-  vertex_descriptor vertex_of(const std::size_t v) const { return m_vertices[v]; }
-  halfedge_descriptor halfedge_of(const std::size_t h) const { return m_halfedges[h]; }
+  vertex_descriptor vertex_of(const std::size_t v) const { return m_writer.vertex(static_cast<int>(v)); }
+  halfedge_descriptor halfedge_of(const std::size_t h) const { return m_writer.halfedge(m_number[h]); }
 
   /// The halfedge before `h` (number) on its face: corners of the file stand at sources, those of the map at targets.
-  halfedge_descriptor halfedge_before(const std::size_t h) const { return m_halfedges[m_links.prev(h)]; }
+  halfedge_descriptor halfedge_before(const std::size_t h) const { return halfedge_of(m_links.prev(h)); }
 
 private:
-  void add_edges()
+  static bool is_first_of_edge(const T_mesh_soup& soup, const std::size_t h)
   {
-    m_halfedges.resize(m_soup.number_of_halfedges());
-    for (std::size_t h = 0; h < m_halfedges.size(); ++h) {
-      const std::size_t g = m_soup.opposites[h];
-      if (g != T_mesh_soup::border && g < h)
-        continue;
-      m_halfedges[h] = halfedge(add_edge(m_graph), m_graph);
-      const halfedge_descriptor other = opposite(m_halfedges[h], m_graph);
-      set_target(m_halfedges[h], m_vertices[m_links.target(h)], m_graph);
-      set_target(other, m_vertices[m_links.source(h)], m_graph);
-      if (g != T_mesh_soup::border)
-        m_halfedges[g] = other;
-    }
+    return soup.opposites[h] == T_mesh_soup::border || h < soup.opposites[h];
   }
 
-  void add_faces()
+  static int number_of_edges(const T_mesh_soup& soup)
   {
-    for (std::size_t f = 0; f < m_soup.number_of_faces(); ++f) {
-      const auto face = add_face(m_graph);
-      for (std::size_t h = m_soup.first_halfedge[f]; h < m_soup.first_halfedge[f + 1]; ++h) {
-        set_face(m_halfedges[h], face, m_graph);
-        set_next(m_halfedges[h], m_halfedges[m_links.next(h)], m_graph);
-        set_halfedge(m_vertices[m_links.target(h)], m_halfedges[h], m_graph);
+    int result = 0;
+    for (std::size_t h = 0; h < soup.number_of_halfedges(); ++h)
+      result += is_first_of_edge(soup, h) ? 1 : 0;
+    return result;
+  }
+
+  // Numbers 2e and 2e + 1 for the halfedges of an edge, edges in the order of the file; 2e + 1 may be at the border.
+  static std::vector<int> paired_numbers(const T_mesh_soup& soup)
+  {
+    std::vector<int> result(soup.number_of_halfedges());
+    int number = 0;
+    for (std::size_t h = 0; h < soup.number_of_halfedges(); ++h)
+      if (is_first_of_edge(soup, h)) {
+        result[h] = number;
+        if (soup.opposites[h] != T_mesh_soup::border)
+          result[soup.opposites[h]] = number + 1;
+        number += 2;
       }
-      set_halfedge(face, m_halfedges[m_soup.first_halfedge[f]], m_graph);
-    }
+    return result;
   }
 
-  void link_border()
+  /// Joins the border halfedge opposite to `h` with the next one, at the other end of the fan at the source of `h`.
+  void join_border(const std::size_t h)
   {
-    for (std::size_t h = 0; h < m_halfedges.size(); ++h) {
-      if (!m_links.is_border_edge(h))
-        continue;
-      const halfedge_descriptor border = opposite(m_halfedges[h], m_graph);
-      // The border goes on at the other end of the fan at the source of `h`.
-      std::size_t last = h;
-      while (!m_links.is_border_edge(m_links.prev(last)))
-        last = m_links.counter_clockwise(last);
-      set_face(border, Traits::null_face(), m_graph);
-      set_next(border, opposite(m_halfedges[m_links.prev(last)], m_graph), m_graph);
-      set_halfedge(m_vertices[m_links.source(h)], border, m_graph);
-    }
+    std::size_t last = h;
+    while (!m_links.is_border_edge(m_links.prev(last)))
+      last = m_links.counter_clockwise(last);
+    m_writer.join(m_number[h] + 1, m_number[m_links.prev(last)] + 1, static_cast<int>(m_links.source(h)), -1);
   }
 
-  const T_mesh_soup& m_soup;
   const T_mesh_links m_links;
-  MutableFaceGraph& m_graph;
-  std::vector<vertex_descriptor> m_vertices;
-  std::vector<halfedge_descriptor> m_halfedges;
+  const std::vector<int> m_number; // per halfedge of the soup
+  Writer m_writer;
 };
 
 } // namespace internal

@@ -5,7 +5,7 @@
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_BRANCH_FIT_H
 
 #include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>
-#include <CGAL/T_splines/Similarity_map/internal/Gaussian_number.h>
+#include <CGAL/T_splines/Similarity_map/internal/Plane_vector.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
@@ -23,7 +23,7 @@ namespace internal {
 /// The similarity with a rotation by quarter turns that fits the two sides of a branch of the cut best, in doubles.
 class Branch_fit {
   using Index = Triangulation_connectivity::Index;
-  using Number = Gaussian_number<double>;
+  using Number = Plane_vector<double>;
 
 public:
   /// \pre no edge of the branch has length zero
@@ -56,7 +56,7 @@ public:
   std::pair<double, int> rotation_of_edge(const Index h) const
   {
     const Number z = edge_there(h) * edge_here(h).conjugate();
-    const double angle = std::atan2(z.im, z.re), quarter = 2 * std::atan(1.), turns = std::round(angle / quarter);
+    const double angle = std::atan2(z.v, z.u), quarter = 2 * std::atan(1.), turns = std::round(angle / quarter);
     return {angle - turns * quarter, (static_cast<int>(turns) + 4) % 4};
   }
 
@@ -125,8 +125,8 @@ private:
       mean_there = mean_there + b;
       extent_here = std::max(extent_here, a.squared_norm());
       extent_there = std::max(extent_there, b.squared_norm());
-      m_size_here = std::max({m_size_here, std::abs(here.re), std::abs(here.im)});
-      m_size_there = std::max({m_size_there, std::abs(there.re), std::abs(there.im)});
+      m_size_here = std::max({m_size_here, std::abs(here.u), std::abs(here.v)});
+      m_size_there = std::max({m_size_there, std::abs(there.u), std::abs(there.v)});
       m_shortest_edge = std::min(m_shortest_edge, std::sqrt(edge_there(h).squared_norm()));
       ++n;
     });
@@ -141,8 +141,8 @@ private:
     });
     m_size_by_extent = m_size_here / std::sqrt(extent_here) + m_size_there / std::sqrt(extent_there);
     const double quarter = 2 * std::atan(1.);
-    m_quarter_turns = (static_cast<int>(std::round(std::atan2(moment.im, moment.re) / quarter)) + 4) % 4;
-    m_scale = moment.turned((4 - m_quarter_turns) % 4).re / norm;
+    m_quarter_turns = (static_cast<int>(std::round(std::atan2(moment.v, moment.u) / quarter)) + 4) % 4;
+    m_scale = moment.turned((4 - m_quarter_turns) % 4).u / norm;
   }
 
   const Triangulation_connectivity* m_mesh;

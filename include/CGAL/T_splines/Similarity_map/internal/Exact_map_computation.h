@@ -14,8 +14,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
 #include <CGAL/T_splines/Similarity_map/internal/uv_orientation.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
-
-#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/T_splines/internal/exactness.h>
 
 #include <algorithm>
 #include <array>
@@ -292,7 +291,7 @@ private:
     std::vector<int> counted = count_quarter_turns(m_layout);
     for (int i = 0; i < sectors.number_of_vertices(); ++i) {
       const Index v = sectors.vertices[i];
-      if (CGAL::Algebraic_structure_traits<FT>::Is_exact::value && counted[v] != quarter_turns[i])
+      if (is_exact_number_type<FT> && counted[v] != quarter_turns[i])
         return fail(Exact_map_status::CONE_ANGLE, v, none, 0);
       counted[v] = quarter_turns[i];
     }

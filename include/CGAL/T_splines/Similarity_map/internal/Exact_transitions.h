@@ -8,9 +8,9 @@
 #include <CGAL/T_splines/Similarity_map/internal/Branch_fit.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_forest.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>
-#include <CGAL/T_splines/Similarity_map/internal/Gaussian_number.h>
+#include <CGAL/T_splines/Similarity_map/internal/Plane_vector.h>
+#include <CGAL/T_splines/internal/exactness.h>
 
-#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ enum class Cut_node_kind : char {
 /// \tparam FT the number type
 template <typename FT>
 class Exact_transitions {
-  using Number = Gaussian_number<FT>;
+  using Number = Plane_vector<FT>;
 
 public:
   using Transition = Similarity_2<FT>;
@@ -81,8 +81,8 @@ public:
 
   Transition transition(const int branch) const
   {
-    return Transition(m_fits[branch].quarter_turns(), m_scale[branch], m_translation[branch].re,
-                      m_translation[branch].im);
+    return Transition(m_fits[branch].quarter_turns(), m_scale[branch], m_translation[branch].u,
+                      m_translation[branch].v);
   }
 
 private:
@@ -221,7 +221,7 @@ private:
   // A multiple of a power of two that is small against the edges of the branch, where a double can hold that.
   Number free_translation(const int branch) const
   {
-    const Gaussian_number<double> t = m_fits[branch].translation(CGAL::to_double(m_scale[branch]));
+    const Plane_vector<double> t = m_fits[branch].translation(CGAL::to_double(m_scale[branch]));
     int exponent;
     std::frexp(m_fits[branch].shortest_edge(), &exponent);
     const double unit = std::ldexp(1., exponent - 32);
@@ -229,7 +229,7 @@ private:
       const double n = x / unit;
       return std::abs(n) < 4503599627370496. ? std::nearbyint(n) * unit : x;
     };
-    return {FT(round(t.re)), FT(round(t.im))};
+    return {FT(round(t.u)), FT(round(t.v))};
   }
 
   bool is_line(const int node) const
@@ -244,9 +244,9 @@ private:
     for (const Coefficient& c : m_coefficients[node])
       sum = sum + c.value * m_translation[c.branch];
     if (m_kind[node] == Cut_node_kind::BORDER_LINE_U)
-      sum.im = FT(0);
+      sum.v = FT(0);
     if (m_kind[node] == Cut_node_kind::BORDER_LINE_V)
-      sum.re = FT(0);
+      sum.u = FT(0);
     return sum;
   }
 
@@ -272,17 +272,17 @@ private:
       const auto value = [&] {
         compute_tree_translations();
         const Number left = left_over(root);
-        return FT(left.re + left.im);
+        return FT(left.u + left.v);
       };
       const FT left = value();
-      if (left == FT(0) || !CGAL::Algebraic_structure_traits<FT>::Is_exact::value)
+      if (left == FT(0) || !is_exact_number_type<FT>)
         continue;
       FT* best = nullptr;
       FT best_slope(0);
       for (int b = 0; b < m_graph.number_of_branches(); ++b) {
         if (m_translation_forest.is_tree(b) || m_translation_forest.root(m_graph.nodes_of_branch(b)[0]) != root)
           continue;
-        for (FT* const x : {&m_translation[b].re, &m_translation[b].im}) {
+        for (FT* const x : {&m_translation[b].u, &m_translation[b].v}) {
           const FT before = *x;
           *x = FT(before + FT(1));
           const FT slope = value() - left;

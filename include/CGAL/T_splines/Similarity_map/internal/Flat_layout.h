@@ -4,6 +4,7 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_FLAT_LAYOUT_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_FLAT_LAYOUT_H
 
+#include <CGAL/T_splines/Similarity_map/internal/Plane_vector.h>
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
@@ -16,29 +17,6 @@
 namespace CGAL {
 namespace T_splines {
 namespace internal {
-
-/// A point or vector of the plane with few operations and no kernel, for wide floating-point types.
-template <typename FT>
-struct Plane_vector {
-  FT u = FT(0), v = FT(0);
-
-  Plane_vector operator+(const Plane_vector& o) const { return {FT(u + o.u), FT(v + o.v)}; }
-  Plane_vector operator-(const Plane_vector& o) const { return {FT(u - o.u), FT(v - o.v)}; }
-  Plane_vector operator*(const FT& s) const { return {FT(u * s), FT(v * s)}; }
-  FT cross(const Plane_vector& o) const { return u * o.v - v * o.u; }
-  FT dot(const Plane_vector& o) const { return u * o.u + v * o.v; }
-
-  /// The vector turned counter-clockwise by `r` quarter turns, r in {0, 1, 2, 3}.
-  Plane_vector turned(const int r) const
-  {
-    switch (r) {
-    case 0: return *this;
-    case 1: return {FT(-v), u};
-    case 2: return {FT(-u), FT(-v)};
-    default: return {v, FT(-u)};
-    }
-  }
-};
 
 /// The flat metric of a similarity structure laid out in the plane over a cut.
 ///

@@ -30,9 +30,7 @@ class Refined_mesh_writer {
   using Traits = boost::graph_traits<RefinedMesh>;
 
 public:
-  using vertex_descriptor = typename Traits::vertex_descriptor;
   using halfedge_descriptor = typename Traits::halfedge_descriptor;
-  using face_descriptor = typename Traits::face_descriptor;
 
   /// \pre `mesh` is empty.
   Refined_mesh_writer(const Refined_triangulation& refined, RefinedMesh& mesh)

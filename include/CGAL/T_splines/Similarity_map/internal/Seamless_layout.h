@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_SEAMLESS_LAYOUT_H
 
 #include <CGAL/T_splines/Similarity_map/Similarity_2.h>
+#include <CGAL/T_splines/Similarity_map/internal/Enclosed_number.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <CGAL/number_type_basic.h>
@@ -16,15 +17,6 @@
 namespace CGAL {
 namespace T_splines {
 namespace internal {
-
-/// A number of which an enclosing interval is known, and, unless the interval is one double, a pointer to its value.
-template <typename FT>
-struct Enclosed_number {
-  double lower = 0, upper = 0;
-  const FT* exact = nullptr; ///< null if the number is the double `lower`, equal to `upper`
-
-  FT value() const { return exact == nullptr ? FT(lower) : *exact; }
-};
 
 /// A seamless map in index arrays: corners in charts, and the transitions between the charts.
 ///
@@ -144,13 +136,13 @@ public:
 
 private:
   Triangulation_connectivity m_mesh;
-  std::vector<std::array<double, 2>> m_uv;  // per halfedge
-  std::vector<int> m_determined_index;      // per halfedge
+  std::vector<std::array<double, 2>> m_uv; // per halfedge
+  std::vector<int> m_determined_index;     // per halfedge
   std::vector<Determined_corner> m_determined;
-  std::vector<int> m_branch;                // per edge
-  std::vector<char> m_is_along;             // per edge
+  std::vector<int> m_branch;                                    // per edge
+  std::vector<char> m_is_along;                                 // per edge
   std::vector<Transition> m_transitions, m_inverse_transitions; // per branch
-  std::vector<int> m_quarter_turns;         // per vertex
+  std::vector<int> m_quarter_turns;                             // per vertex
 };
 
 } // namespace internal

@@ -6,7 +6,7 @@
 
 #include <CGAL/T_splines/Similarity_map/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>
-#include <CGAL/T_splines/Similarity_map/internal/Gaussian_number.h>
+#include <CGAL/T_splines/Similarity_map/internal/Plane_vector.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
@@ -47,9 +47,9 @@ bool compute_sector_values(const Cut_sectors& sectors, const int i, const Transi
     for (int k = 1; k <= n; ++k)
       around = compose(into(k % n), around);
     // Not the identity: 1 - i^r is a divisor of 2.
-    const Gaussian_number<FT> one{FT(1), FT(0)}, factor = (one - one.turned(around.quarter_turns())).inverse();
-    const Gaussian_number<FT> z = factor * Gaussian_number<FT>{around.u(), around.v()};
-    values[0] = {z.re, z.im};
+    const Plane_vector<FT> one{FT(1), FT(0)}, factor = (one - one.turned(around.quarter_turns())).inverse();
+    const Plane_vector<FT> z = factor * Plane_vector<FT>{around.u(), around.v()};
+    values[0] = {z.u, z.v};
   }
   else
     values[kept] = start;

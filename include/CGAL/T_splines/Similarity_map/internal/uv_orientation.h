@@ -69,12 +69,8 @@ CGAL::Orientation uv_orientation(const Seamless_layout<FT>& layout, const int h)
 template <typename FT>
 CGAL::Sign compare(const Enclosed_number<FT>& a, const Enclosed_number<FT>& b)
 {
-  if (a.upper < b.lower)
-    return CGAL::NEGATIVE;
-  if (a.lower > b.upper)
-    return CGAL::POSITIVE;
-  if (a.exact == nullptr && b.exact == nullptr)
-    return CGAL::ZERO; // two overlapping intervals of one point each
+  if (const auto order = filtered_comparison(a, b))
+    return *order;
   return CGAL::sign(FT(a.value() - b.value()));
 }
 

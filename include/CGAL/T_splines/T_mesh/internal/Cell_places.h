@@ -246,23 +246,9 @@ private:
     int& frame = m_frames_beside[2 * s + (is_left ? 0 : 1)];
     if (frame != none)
       return frame;
-    const typename Arcs::Segment& segment = m_arcs.segment(s);
-    const int half_arc = 2 * segment.arc + (is_left ? 0 : 1);
-    std::pair<FT, FT> start(segment.start, chord.line.value());
-    FT scale = segment.scale;
-    if (!is_left) { // the half-arc starts where the arc ends
-      const FT length = m_arcs.arcs()[segment.arc].length * segment.scale;
-      if (is_forward(chord.direction))
-        start.first += length;
-      else
-        start.first -= length;
-      scale /= m_arcs.arcs()[segment.arc].scale;
-    }
-    if (axis_along(chord.direction) == 1)
-      std::swap(start.first, start.second);
-    const int direction = is_left ? chord.direction : turned(chord.direction, 2);
-    const int face = m_cells.halfedge(m_cells.part(half_arc).halfedge).face;
-    return frame = add_frame(face, m_cells.frame(half_arc, direction, start, scale));
+    const int half_arc = m_arcs.half_arc_beside(s, is_left),
+              face = m_cells.halfedge(m_cells.part(half_arc).halfedge).face;
+    return frame = add_frame(face, m_cells.frame_beside(s, chord, is_left));
   }
 
   /// The frame of the cell that the edge of g, where the node is, enters; none if an arc goes along it.

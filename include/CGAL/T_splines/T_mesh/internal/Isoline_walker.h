@@ -45,7 +45,6 @@ public:
   Isoline_walker(const Layout& layout, const std::vector<Point_3>& points, const TracingTraits& traits)
     : m_layout(layout),
       m_mesh(layout.mesh()),
-      m_traits(traits),
       m_lines(layout, traits),
       m_stars(layout, traits),
       m_points(layout, points)
@@ -250,7 +249,6 @@ private:
 
   const Layout& m_layout;
   const Triangulation_connectivity& m_mesh;
-  const TracingTraits& m_traits;
   Lines m_lines;
   Stars m_stars;
   Chart_points<FT> m_points;

@@ -6,7 +6,7 @@
 
 #include <CGAL/T_splines/T_mesh/T_mesh_edit.h>
 #include <CGAL/T_splines/T_mesh/internal/T_mesh_surgery.h>
-#include <CGAL/T_splines/T_mesh/internal/exactness.h>
+#include <CGAL/T_splines/internal/exactness.h>
 
 #include <CGAL/number_type_basic.h>
 

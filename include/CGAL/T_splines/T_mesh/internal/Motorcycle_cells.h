@@ -8,8 +8,7 @@
 #include <CGAL/T_splines/T_mesh/internal/Motorcycle_traces.h>
 #include <CGAL/T_splines/T_mesh/internal/Trace_arcs.h>
 #include <CGAL/T_splines/T_mesh/internal/isoline_directions.h>
-
-#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/T_splines/internal/exactness.h>
 
 #include <array>
 #include <cstddef>
@@ -97,6 +96,28 @@ public:
     const std::array<FT, 2> position = start_of_part(half_arc);
     return Similarity_2<FT>(h.side - direction, part.scale / scale, position[0] - image.first,
                             position[1] - image.second);
+  }
+
+  /// The similarity from the chart of a chord to the frame of the face on one side of it.
+  /// \param s the segment of an arc that the chord belongs to
+  Similarity_2<FT> frame_beside(const int s, const typename Traces::Chord& chord, const bool is_left) const
+  {
+    const typename Arcs::Segment& segment = m_arcs.segment(s);
+    std::pair<FT, FT> start(segment.start, chord.line.value());
+    FT scale = segment.scale;
+    if (!is_left) { // the half-arc starts where the arc ends
+      const typename Arcs::Arc& arc = m_arcs.arcs()[segment.arc];
+      const FT length = arc.length * segment.scale;
+      if (is_forward(chord.direction))
+        start.first += length;
+      else
+        start.first -= length;
+      scale /= arc.scale;
+    }
+    if (axis_along(chord.direction) == 1)
+      std::swap(start.first, start.second);
+    return frame(m_arcs.half_arc_beside(s, is_left), is_left ? chord.direction : turned(chord.direction, 2), start,
+                 scale);
   }
 
   /// The place of the start of a half-arc in the frame of its face.
@@ -238,7 +259,7 @@ private:
 
   static bool is_closed(const std::array<FT, 2>& position, const FT& scale)
   {
-    if constexpr (CGAL::Algebraic_structure_traits<FT>::Is_exact::value)
+    if constexpr (is_exact_number_type<FT>)
       return position[0] == FT(0) && position[1] == FT(0) && scale == FT(1);
     else
       return true;

@@ -168,20 +168,10 @@ private:
   {
     const typename Arcs::Arc& arc = arcs.arcs()[half_arc / 2];
     const bool is_forward_arc = (half_arc & 1) == 0;
-    const typename Arcs::Segment& segment = arcs.segment(is_forward_arc ? arc.first_segment : arc.last_segment);
     const typename Traces::Chord& chord =
         traces.chords[traces.traces[arc.trace].chords[is_forward_arc ? arc.first_chord : arc.last_chord]];
-    std::pair<FT, FT> start(segment.start, chord.line.value());
-    FT scale = segment.scale;
-    if (!is_forward_arc) {
-      const FT length = arc.length * segment.scale;
-      start.first = is_forward(chord.direction) ? FT(start.first + length) : FT(start.first - length);
-      scale /= arc.scale;
-    }
-    if (axis_along(chord.direction) == 1)
-      std::swap(start.first, start.second);
-    const int direction = is_forward_arc ? chord.direction : turned(chord.direction, 2);
-    const Similarity_2<FT> frame = m_cells.frame(half_arc, direction, start, scale);
+    const Similarity_2<FT> frame =
+        m_cells.frame_beside(is_forward_arc ? arc.first_segment : arc.last_segment, chord, is_forward_arc);
     if (is_forward_arc || !chord.is_along)
       return {chord.face, frame};
     const int h = chord.halfedge; // the left of the half-arc is the other face of the edge

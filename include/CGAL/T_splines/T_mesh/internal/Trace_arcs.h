@@ -72,6 +72,9 @@ public:
   const Segment& segment(const int s) const { return m_segments[s]; }
   int number_of_segments() const { return static_cast<int>(m_segments.size()); }
 
+  /// The half-arc of a segment that has the left or the right side of its arc on its left.
+  int half_arc_beside(const int s, const bool is_left) const { return 2 * m_segments[s].arc + (is_left ? 0 : 1); }
+
   /// The segment in which a chord leaves its face.
   int segment_of_chord(const int c) const { return m_segment_of_chord[c]; }
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_T_SPLINES_T_MESH_INTERNAL_EXACTNESS_H
-#define CGAL_T_SPLINES_T_MESH_INTERNAL_EXACTNESS_H
+#ifndef CGAL_T_SPLINES_INTERNAL_EXACTNESS_H
+#define CGAL_T_SPLINES_INTERNAL_EXACTNESS_H
 
 #include <CGAL/Algebraic_structure_traits.h>
 
@@ -18,4 +18,4 @@ inline constexpr bool is_exact_number_type = CGAL::Algebraic_structure_traits<FT
 } // namespace T_splines
 } // namespace CGAL
 
-#endif // CGAL_T_SPLINES_T_MESH_INTERNAL_EXACTNESS_H
+#endif // CGAL_T_SPLINES_INTERNAL_EXACTNESS_H
