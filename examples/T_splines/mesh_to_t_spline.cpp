@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// From a mesh, or a seamless map, to a T-mesh with halfedge knots: see help_text in mesh_to_t_spline/Options.h.
+// From a mesh, or a seamless map, to a T-spline surface: see help_text in mesh_to_t_spline/Options.h.
 
 #include "mesh_to_t_spline/Figures.h"
 #include "mesh_to_t_spline/Options.h"
@@ -13,6 +13,7 @@
 #include "mesh_to_t_spline/guidance.h"
 #include "mesh_to_t_spline/map_computation.h"
 #include "mesh_to_t_spline/t_mesh_stage.h"
+#include "mesh_to_t_spline/t_spline_stage.h"
 
 #include <CGAL/T_splines/IO/read_map_obj.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
@@ -150,7 +151,56 @@ private:
       m_results.regularized = drawing_of(m_results.t_mesh);
     }
     m_results.has_t_mesh = true;
+    if (interruption_flag != 0)
+      return fail(exit_interrupted, "interrupted");
+    return m_options.has_spline ? make_t_spline(map) : finish_t_mesh();
+  }
+
+  bool finish_t_mesh()
+  {
+    m_results.t_mesh.mesh.collect_garbage(); // not before: roots and samples name faces
     return interruption_flag == 0 || fail(exit_interrupted, "interrupted");
+  }
+
+  bool make_t_spline(const Exact_map& map)
+  {
+    Surface_t_mesh& t = m_results.t_mesh;
+    T_spline_figures& figures = m_figures.t_spline.emplace();
+    const double diagonal = diagonal_of(map.mesh());
+    std::string failure = refine(m_progress, t, m_options.face_size * diagonal, figures);
+    if (failure.empty())
+      failure = make_compatible(m_progress, t, figures);
+    if (failure.empty())
+      failure = place(map, m_progress, t);
+    if (!failure.empty())
+      return fail(exit_failure, input_file() + ": " + failure + " (--no-spline ends with the T-mesh)");
+    if (!finish_t_mesh())
+      return false;
+    m_progress.begin_stage("surface");
+    const T_spline surface(t.mesh, t.knots, t.corners, t.mesh.points());
+    if (!surface.is_valid())
+      return fail(exit_failure, input_file() + ": " + describe(surface.report(), t.mesh));
+    m_results.t_spline = CGAL::T_splines::compile_T_spline(surface);
+    m_results.resolution = m_options.resolution;
+    m_progress.begin_stage("drawing");
+    m_results.surface = drawing_of(surface, t, 400000);
+    m_progress.end_stage();
+    set_figures(surface, diagonal, figures);
+    return interruption_flag == 0 || fail(exit_interrupted, "interrupted");
+  }
+
+  void set_figures(const T_spline& surface, const double diagonal, T_spline_figures& figures) const
+  {
+    figures.t_mesh = figures_of(m_results.t_mesh);
+    figures.control_points = surface.number_of_control_points();
+    figures.patches = m_results.t_spline->number_of_patches();
+    figures.rings = m_results.t_spline->number_of_rings();
+    figures.cap_deviation = m_results.t_spline->cap_deviation() / diagonal;
+    figures.tessellation_triangles = m_results.surface.triangles.size() / 3;
+    const Surface_t_mesh& t = m_results.t_mesh;
+    for (const T_mesh::Vertex_index v : t.mesh.vertices())
+      if (CGAL::T_splines::is_extraordinary(v, t.mesh, t.corners))
+        ++figures.valences[CGAL::T_splines::extended_valence(v, t.mesh, t.corners)];
   }
 
   bool write()

@@ -5,6 +5,7 @@
 #define MESH_TO_T_SPLINE_FIGURES_H
 
 #include "t_mesh_figures.h"
+#include "t_spline_figures.h"
 
 #include <CGAL/T_splines/IO/internal/Json_writer.h>
 
@@ -65,6 +66,7 @@ struct Figures {
   Refined refined;
   std::optional<Exact_map_figures> exact_map;
   std::optional<T_mesh_stage_figures> t_mesh;
+  std::optional<T_spline_figures> t_spline;
   std::vector<Stage> stages;
   double seconds = 0;
   std::size_t peak_memory_bytes = 0; ///< 0: not known
@@ -145,6 +147,8 @@ inline std::string figures_as_json(const Figures& figures)
     write_exact_map_figures(json, *figures.exact_map);
   if (figures.t_mesh)
     write_t_mesh_figures(json, *figures.t_mesh);
+  if (figures.t_spline)
+    write_t_spline_figures(json, *figures.t_spline);
   json.key("stages").begin_array();
   for (const Figures::Stage& stage : figures.stages)
     json.begin_object().member("name", stage.name).member("seconds", stage.seconds).end_object();

@@ -19,9 +19,10 @@ constexpr std::string_view help_text =
     R"(Usage: mesh_to_t_spline MESH [OPTION...]
        mesh_to_t_spline --uv MAP [OPTION...]
 
-Computes a seamless similarity map of a closed triangle mesh, guided by a cross field, and from it a T-mesh with
-halfedge knots; or a T-mesh from a given map. It writes map.obj (unless the map is given), t_mesh.ply, report.json
-and report.html.
+Computes a seamless similarity map of a closed triangle mesh, guided by a cross field, from it a T-mesh with halfedge
+knots, and on this a T-spline surface whose control points lie on the mesh; or the T-mesh and the surface from a given
+map. It writes map.obj (unless the map is given), t_mesh.ply (the T-spline), t_spline.vtu (Bezier patches),
+t_spline.obj (triangles), report.json and report.html.
 
 MESH is an OFF, OBJ, PLY or STL file. Faces that are not triangles are triangulated.
 
@@ -44,6 +45,11 @@ Computation:
 T-mesh:
   --no-regularization       the T-mesh as the motorcycles trace it
   --map-only                no T-mesh
+T-spline:
+  --face-size X             the longest side that a face of the T-mesh may have on the surface, by the diagonal of the
+                            bounding box (0.05)
+  --resolution N            each side of a face is divided into at least N parts in t_spline.obj (8)
+  --no-spline               the T-mesh alone, as it was traced and regularized
 Output:
   -o DIR                    where to write; made if it does not exist (.)
   --quiet                   no progress and no summary
@@ -61,11 +67,12 @@ struct Options {
   std::string mesh, uv, field, cones, output_directory = ".";
   std::optional<std::vector<int>> loops;
   double curvature_alignment = 0, residual_tolerance = 1e-12;
-  int max_iterations = 100;
+  double face_size = 0.05;
+  int max_iterations = 100, resolution = 8;
   Solver_choice solver = Solver_choice::LDLT;
   Flips_choice flips = Flips_choice::DELAUNAY;
   Precision_choice precision = Precision_choice::DOUBLE;
-  bool is_map_only = false, is_regularized = true, is_quiet = false, asks_help = false, asks_version = false;
+  bool is_map_only = false, is_regularized = true, has_spline = true, is_quiet = false, asks_help = false, asks_version = false;
 };
 
 /// Reads the command line.
@@ -104,6 +111,8 @@ private:
       m_error = "--field and --cones exclude each other";
     else if (options.loops && options.cones.empty())
       m_error = "--loops goes with --cones: a field has turning numbers of its own";
+    else if (!m_spline_option.empty() && (options.is_map_only || !options.has_spline))
+      m_error = m_spline_option + " goes with a T-spline";
     else if (options.curvature_alignment > 0 && !(options.field.empty() && options.cones.empty()))
       m_error = "--align-curvature is for the computed field";
   }
@@ -116,6 +125,8 @@ private:
       m_error = "--uv and --map-only leave nothing to do";
     else if (!m_map_option.empty())
       m_error = m_map_option + " does not go with --uv: the map is given";
+    else if (!m_spline_option.empty() && !options.has_spline)
+      m_error = m_spline_option + " goes with a T-spline";
   }
 
   void parse_option(const std::string& argument, Options& options)
@@ -137,8 +148,21 @@ private:
       parse_flag(options.is_map_only);
     else if (m_name == "--no-regularization")
       parse_flag(options.is_regularized, false);
+    else if (m_name == "--no-spline")
+      parse_flag(options.has_spline, false);
+    else if (m_name == "--face-size" || m_name == "--resolution")
+      parse_spline_option(options);
     else
       parse_map_option(options);
+  }
+
+  void parse_spline_option(Options& options)
+  {
+    m_spline_option = m_name;
+    if (m_name == "--face-size")
+      options.face_size = number(value(), 1e-6, 1e6);
+    else
+      options.resolution = integer(value(), 2);
   }
 
   /// What says how the map is computed.
@@ -241,7 +265,8 @@ private:
   std::vector<std::string> m_arguments;
   std::size_t m_next = 0;
   std::string m_name, m_error;
-  std::string m_map_option; ///< the first option about the computation of the map; empty if there was none
+  std::string m_spline_option; ///< the last option about the T-spline; empty if there was none
+  std::string m_map_option;    ///< the first option about the computation of the map; empty if there was none
   std::optional<std::string> m_value;
 };
 

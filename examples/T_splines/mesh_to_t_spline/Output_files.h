@@ -6,12 +6,16 @@
 
 #include "Figures.h"
 #include "Refined_map.h"
+#include "Surface_drawing.h"
 #include "Surface_t_mesh.h"
 #include "report_page.h"
+#include "t_spline_stage.h"
 
 #include <CGAL/T_splines/IO/internal/Atomic_file.h>
 #include <CGAL/T_splines/IO/write_map_obj.h>
 #include <CGAL/T_splines/IO/write_t_mesh.h>
+#include <CGAL/T_splines/IO/write_t_spline_obj.h>
+#include <CGAL/T_splines/IO/write_t_spline_vtu.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -55,6 +59,9 @@ struct Results {
   bool has_t_mesh = false;
   Surface_t_mesh t_mesh;
   T_mesh_drawing traced, regularized; ///< empty where there is none
+  std::optional<Compiled_t_spline> t_spline;
+  int resolution = 8;      ///< of the tessellation
+  Surface_drawing surface; ///< empty where there is none
 };
 
 /// Hands the report page to `sink`.
@@ -70,7 +77,7 @@ void write_report_page(Sink& sink, const std::string& report, const Results& res
   const Page_frame frame = page_frame(refined.mesh, refined.mesh.points());
   write_report_page(sink, report, frame,
                     page_mesh(refined.mesh, refined.mesh.points(), refined.uv, frame, is_input_edge, is_cut),
-                    results.traced, results.regularized);
+                    results.traced, results.regularized, results.surface);
 }
 
 /// Files that appear together.
@@ -144,6 +151,13 @@ inline std::string write_output_files(const std::filesystem::path& directory, co
       const Surface_t_mesh& t = results.t_mesh;
       CGAL::T_splines::internal::format_t_mesh(sink, t.mesh, t.knots, t.corners, CGAL::parameters::default_values());
     });
+  if (results.t_spline) {
+    files.add("t_spline.vtu",
+              [&](auto& sink) { CGAL::T_splines::internal::format_t_spline_vtu(sink, *results.t_spline); });
+    files.add("t_spline.obj", [&](auto& sink) {
+      CGAL::T_splines::internal::format_t_spline_obj(sink, *results.t_spline, results.resolution);
+    });
+  }
   const std::string report = figures_as_json(figures);
   files.add("report.json", [&report](auto& sink) { sink(report); });
   files.add("report.html", [&](auto& sink) { write_report_page(sink, report, results); });

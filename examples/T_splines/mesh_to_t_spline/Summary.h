@@ -78,6 +78,15 @@ inline void print_tracing(std::ostream& out, const Tracing_figures& tracing)
       << tracing.predicate_calls << " predicate calls answered by the filter\n";
 }
 
+inline void print_t_spline(std::ostream& out, const T_spline_figures& spline)
+{
+  out << "  T-spline    " << spline.control_points << " control points, " << spline.t_mesh.faces << " faces, "
+      << spline.t_mesh.t_joints << " T-joints; " << spline.vertices_in_rings
+      << " control points in the rings around extraordinary vertices\n"
+      << "  patches     " << spline.patches << " Bezier patches; caps at extraordinary vertices off by "
+      << std::setprecision(2) << spline.cap_deviation << " of the diagonal\n";
+}
+
 /// What the user reads at the end.
 inline void print_summary(std::ostream& out, const Figures& figures)
 {
@@ -105,6 +114,8 @@ inline void print_summary(std::ostream& out, const Figures& figures)
     if (figures.t_mesh->regularization)
       print_t_mesh(out, "  regularized ", figures.t_mesh->regularization->t_mesh);
   }
+  if (figures.t_spline)
+    print_t_spline(out, *figures.t_spline);
   out << "  time        " << std::fixed << std::setprecision(2) << figures.seconds << " s";
   const char* separator = " (";
   for (const Figures::Stage& stage : figures.stages) {

@@ -8,8 +8,10 @@
 #include "exact_map_stage.h"
 #include "t_mesh_figures.h"
 
+#include <CGAL/T_splines/T_mesh/Carried_points.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_roots.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -17,10 +19,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 using T_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Anchor = CGAL::T_splines::T_mesh_anchor<Mesh, Exact_number>;
+using Roots = CGAL::T_splines::T_mesh_roots<Mesh, T_mesh, Exact_number>;
+using Samples = CGAL::T_splines::Carried_points<T_mesh, double, Kernel::Point_3>;
 
 /// A T-mesh with exact knots, and how it lies on the surface.
 struct Surface_t_mesh {
@@ -33,6 +38,8 @@ struct Surface_t_mesh {
       mesh.add_property_map<T_mesh::Edge_index, std::vector<Kernel::Point_3>>("e:polyline").first;
   T_mesh::Property_map<T_mesh::Face_index, Anchor> anchors =
       mesh.add_property_map<T_mesh::Face_index, Anchor>("f:anchor").first; ///< of the motorcycle graph only
+  std::optional<Roots> roots; ///< what holds the T-mesh to the surface while it changes
+  Samples samples;            ///< the vertices of the mapped mesh, in the faces of the T-mesh
 
   Surface_t_mesh() = default;
   Surface_t_mesh(const Surface_t_mesh&) = delete; // the property maps are those of this mesh

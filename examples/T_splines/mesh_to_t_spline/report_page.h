@@ -4,9 +4,12 @@
 #ifndef MESH_TO_T_SPLINE_REPORT_PAGE_H
 #define MESH_TO_T_SPLINE_REPORT_PAGE_H
 
+#include "Surface_drawing.h"
 #include "Surface_t_mesh.h"
 #include "report_page_files.h" // made by CMake from the folder page
 
+#include <CGAL/T_splines/IO/internal/Json_writer.h>
+#include <CGAL/T_splines/IO/internal/base64.h>
 #include <CGAL/T_splines/IO/internal/Uv_vertex_table.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 
@@ -17,47 +20,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <limits>
 #include <map>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
-inline std::string base64(const std::string_view bytes)
-{
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t j = 0; j < 3; ++j)
-      group = 256 * group + (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0);
-    for (std::size_t j = 0; j < 4; ++j)
-      text += i + j > bytes.size() ? '=' : digits[(group >> (18 - 6 * j)) & 63];
-  }
-  return text;
-}
-
-/// The bytes of an array, the lowest of each number first: what typed arrays are on every machine with a browser.
-template <typename Number>
-std::string base64_of_array(const std::vector<Number>& numbers)
-{
-  using Bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t,
-                                  std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint8_t>>;
-  static_assert(sizeof(Bits) == sizeof(Number), "8, 4 or 1 bytes");
-  std::string bytes;
-  bytes.reserve(numbers.size() * sizeof(Number));
-  for (const Number& number : numbers) {
-    Bits bits;
-    std::memcpy(&bits, &number, sizeof(Number));
-    for (std::size_t i = 0; i < sizeof(Number); ++i)
-      bytes += static_cast<char>((bits >> (8 * i)) & 255);
-  }
-  return base64(bytes);
-}
+using CGAL::T_splines::internal::base64_of_array;
 
 /// The mesh as the page wants it: see `readMesh()` in page/geometry.js.
 struct Page_mesh {
@@ -79,6 +49,9 @@ public:
       m_diagonal = std::hypot(m_diagonal, box.max(i) - box.min(i));
     }
   }
+
+  /// The length of the diagonal before scaling.
+  double diagonal() const { return m_diagonal; }
 
   /// Appends the coordinates of `point` on the page.
   template <typename Point_3>
@@ -102,6 +75,13 @@ private:
   std::array<double, 3> m_middle = {};
   double m_diagonal = 0;
 };
+
+inline std::string frame_as_json(const Page_frame& frame)
+{
+  CGAL::T_splines::internal::Json_writer json;
+  json.begin_object().member("diagonal", frame.diagonal()).end_object();
+  return json.text();
+}
 
 template <typename Mesh, typename VertexPointMap>
 Page_frame page_frame(const Mesh& mesh, const VertexPointMap vertex_point_map)
@@ -140,27 +120,48 @@ Page_mesh page_mesh(const FaceGraph& mesh, const VertexPointMap vertex_point_map
   return result;
 }
 
+/// The data of the page by the names in page.html.
+using Page_data = std::map<std::string_view, std::function<std::string()>>;
+
+/// Adds the data of the surface: see `readSpline()` in page/spline.js.
+/// \pre `frame` and `surface` outlive `data`.
+inline void add_surface_data(Page_data& data, const Page_frame& frame, const Surface_drawing& surface)
+{
+  data["spline_points"] = [&] { return base64_of_array(frame.positions(surface.points)); };
+  data["spline_normals"] = [&] { return base64_of_array(packed_directions(surface.normals)); };
+  data["spline_curvature"] = [&] {
+    return base64_of_array(std::vector<float>(surface.mean_curvature.begin(), surface.mean_curvature.end()));
+  };
+  data["spline_triangles"] = [&] { return base64_of_array(surface.triangles); };
+  data["net_points"] = [&] { return base64_of_array(frame.positions(surface.net_points)); };
+  data["net_sizes"] = [&] { return base64_of_array(surface.net_sizes); };
+  data["edge_points"] = [&] { return base64_of_array(frame.positions(surface.edge_points)); };
+  data["edge_sizes"] = [&] { return base64_of_array(surface.edge_sizes); };
+  data["extraordinary_points"] = [&] { return base64_of_array(frame.positions(surface.extraordinary_points)); };
+}
+
 /// Hands the page to `sink`, a function object that takes a `std::string_view`: the template with the files of the
-/// folder page
-/// and the data in the places that are marked by `@name@`.
+/// folder page and the data in the places that are marked by `@name@`.
 /// \param traced, regular the T-mesh before and after regularization; empty where there is none
+/// \param surface empty if there is none
 template <typename Sink>
 void write_report_page(Sink& sink, const std::string& report_as_json, const Page_frame& frame, const Page_mesh& mesh,
-                       const T_mesh_drawing& traced, const T_mesh_drawing& regular)
+                       const T_mesh_drawing& traced, const T_mesh_drawing& regular, const Surface_drawing& surface)
 {
-  const std::map<std::string_view, std::function<std::string()>> data = {
-      {"report", [&] { return report_as_json; }},
-      {"positions", [&] { return base64_of_array(mesh.positions); }},
-      {"uv", [&] { return base64_of_array(mesh.uv); }},
-      {"uv_vertices", [&] { return base64_of_array(mesh.uv_vertices); }},
-      {"triangles", [&] { return base64_of_array(mesh.triangles); }},
-      {"edge_flags", [&] { return base64_of_array(mesh.edge_flags); }},
-      {"traced_points", [&] { return base64_of_array(frame.positions(traced.points)); }},
-      {"traced_sizes", [&] { return base64_of_array(traced.sizes); }},
-      {"traced_joints", [&] { return base64_of_array(frame.positions(traced.t_joints)); }},
-      {"regular_points", [&] { return base64_of_array(frame.positions(regular.points)); }},
-      {"regular_sizes", [&] { return base64_of_array(regular.sizes); }},
-      {"regular_joints", [&] { return base64_of_array(frame.positions(regular.t_joints)); }}};
+  Page_data data = {{"report", [&] { return report_as_json; }},
+                    {"frame", [&] { return frame_as_json(frame); }},
+                    {"positions", [&] { return base64_of_array(mesh.positions); }},
+                    {"uv", [&] { return base64_of_array(mesh.uv); }},
+                    {"uv_vertices", [&] { return base64_of_array(mesh.uv_vertices); }},
+                    {"triangles", [&] { return base64_of_array(mesh.triangles); }},
+                    {"edge_flags", [&] { return base64_of_array(mesh.edge_flags); }},
+                    {"traced_points", [&] { return base64_of_array(frame.positions(traced.points)); }},
+                    {"traced_sizes", [&] { return base64_of_array(traced.sizes); }},
+                    {"traced_joints", [&] { return base64_of_array(frame.positions(traced.t_joints)); }},
+                    {"regular_points", [&] { return base64_of_array(frame.positions(regular.points)); }},
+                    {"regular_sizes", [&] { return base64_of_array(regular.sizes); }},
+                    {"regular_joints", [&] { return base64_of_array(frame.positions(regular.t_joints)); }}};
+  add_surface_data(data, frame, surface);
   std::string_view rest = report_page_file("page.html");
   for (std::size_t begin = rest.find('@'); begin != std::string_view::npos; begin = rest.find('@')) {
     const std::size_t end = rest.find('@', begin + 1);

@@ -225,6 +225,52 @@ Faces<FT> rectangle(const int columns, const int rows)
   return squares<FT>(edges);
 }
 
+// A band of squares between two borders, closed after `columns` columns.
+template <typename FT>
+Faces<FT> cylinder(const int columns, const int rows)
+{
+  std::vector<std::vector<int>> edges;
+  const auto horizontal = [&](const int i, const int j) { return 2 * (i + columns * j); };
+  const auto vertical = [&](const int i, const int j) { return 2 * (i % columns + columns * j) + 1; };
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i)
+      edges.push_back({horizontal(i, j), vertical(i + 1, j), horizontal(i, j + 1), vertical(i, j)});
+  return squares<FT>(edges);
+}
+
+// A disk around a cone: `sectors` large squares, each of n x n squares. Square number n n s + n y + x is the one at (x, y)
+// in sector s, the cone at (0, 0); its halfedge 0 runs along x, away from the cone.
+template <typename FT>
+Faces<FT> star(const int sectors, const int n)
+{
+  const auto horizontal = [&](const int s, const int x, const int y) {
+    return 2 * ((s % sectors * (n + 1) + y) * n + x);
+  };
+  const auto vertical = [&](const int s, const int x, const int y) {
+    return x == 0 ? horizontal(s + 1, y, 0) : 2 * ((s * (n + 1) + x) * n + y) + 1;
+  };
+  std::vector<std::vector<int>> edges;
+  for (int s = 0; s < sectors; ++s)
+    for (int y = 0; y < n; ++y)
+      for (int x = 0; x < n; ++x)
+        edges.push_back({horizontal(s, x, y), vertical(s, x + 1, y), horizontal(s, x, y + 1), vertical(s, x, y)});
+  return squares<FT>(edges);
+}
+
+// The star of single squares, of which the first two are one rectangle: the cone is a T-joint of it.
+template <typename FT>
+Faces<FT> star_with_t_joint(const int sectors)
+{
+  Faces<FT> faces = star<FT>(sectors, 1);
+  auto &first = faces[0], second = faces[1];
+  rescale(second, FT(FT(1) / FT(2)));
+  second[3].is_corner = first[2].is_corner = false;
+  first.pop_back();
+  first.insert(first.end(), second.begin() + 1, second.end());
+  faces.erase(faces.begin() + 1);
+  return faces;
+}
+
 } // namespace test_t_meshes
 
 #endif // T_SPLINES_TEST_T_MESHES_H

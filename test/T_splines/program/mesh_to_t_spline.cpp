@@ -7,12 +7,16 @@
 #include <CGAL/T_splines/IO/read_map_obj.h>
 #include <CGAL/T_splines/IO/read_t_mesh.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
+#include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -96,11 +100,23 @@ struct Test_t_mesh {
   }
 };
 
-/// Checks that a run's directory holds the four files and nothing else, that the map refines the mesh, and that the
-/// T-mesh is one, of the same topology.
+/// Checks that the triangles are a closed surface with the Euler characteristic, and the normals have length 1.
+void check_tessellation(const std::string& file, const long euler_characteristic)
+{
+  Mesh mesh;
+  REQUIRE(CGAL::T_splines::read_triangle_mesh(file, mesh).success());
+  CHECK(CGAL::is_closed(mesh));
+  CHECK(static_cast<long>(mesh.number_of_vertices()) - static_cast<long>(mesh.number_of_edges()) +
+            static_cast<long>(mesh.number_of_faces()) ==
+        euler_characteristic);
+}
+
+/// Checks that a run's directory holds the six files and nothing else, that the map refines the mesh, and that the
+/// T-mesh and the tessellation have the same topology.
 void check_output(const std::string& directory, const std::string& mesh_file)
 {
-  CHECK(files_of(directory) == std::set<std::string>{"map.obj", "report.html", "report.json", "t_mesh.ply"});
+  CHECK(files_of(directory) == std::set<std::string>{"map.obj", "report.html", "report.json", "t_mesh.ply",
+                                                     "t_spline.obj", "t_spline.vtu"});
   CHECK(contains(file_content(directory + "/report.json"), "\"converged\": true"));
   CHECK(contains(file_content(directory + "/report.json"), "\"status\": \"the map is exactly seamless\""));
   CHECK(contains(file_content(directory + "/report.html"), "</html>"));
@@ -123,9 +139,14 @@ void check_output(const std::string& directory, const std::string& mesh_file)
   CHECK(are_triangles_positive);
   Test_t_mesh t_mesh;
   REQUIRE(t_mesh.read(directory + "/t_mesh.ply").success());
-  CHECK(t_mesh.euler_characteristic() == static_cast<long>(input.number_of_vertices()) -
-                                             static_cast<long>(input.number_of_edges()) +
-                                             static_cast<long>(input.number_of_faces()));
+  const long characteristic = static_cast<long>(input.number_of_vertices()) -
+                              static_cast<long>(input.number_of_edges()) + static_cast<long>(input.number_of_faces());
+  CHECK(t_mesh.euler_characteristic() == characteristic);
+  CHECK(CGAL::T_splines::is_spline_compatible(t_mesh.mesh, t_mesh.knots, t_mesh.corners).success());
+  check_tessellation(directory + "/t_spline.obj", characteristic);
+  const std::string patches = file_content(directory + "/t_spline.vtu");
+  CHECK(contains(patches, "<PointData RationalWeights=\"RationalWeights\">"));
+  CHECK(contains(patches, "</VTKFile>"));
 }
 
 } // namespace
@@ -159,7 +180,12 @@ TEST_CASE("bad usage is refused with exit code 2")
       {"--uv a.obj --precision quad", "--precision does not go with --uv"},
       {"--uv a.obj --cones a.cones", "--cones does not go with --uv"},
       {"--uv", "--uv needs a value"},
-      {"a.off --no-regularization=1", "--no-regularization takes no value"}};
+      {"a.off --no-regularization=1", "--no-regularization takes no value"},
+      {"a.off --face-size 0", "--face-size needs a positive number"},
+      {"a.off --face-size nan", "--face-size needs a positive number"},
+      {"a.off --resolution 1", "--resolution needs an integer of at least 2"},
+      {"a.off --map-only --face-size 0.1", "--face-size goes with a T-spline"},
+      {"a.off --no-spline --resolution 4", "--resolution goes with a T-spline"}};
   for (const auto& [arguments, message] : cases) {
     const Program_run run(arguments);
     CAPTURE(arguments, run.errors);
@@ -285,7 +311,7 @@ TEST_CASE("a good mesh gives the map, the T-mesh and the report")
   CHECK(contains(run.errors, "note: 6 of 6 faces are not triangles"));
   CHECK(contains(run.output, "8 vertices, 12 faces, genus 0"));
   CHECK(contains(run.output, "converged"));
-  CHECK(contains(run.output, "map.obj, t_mesh.ply, report.json and report.html in " + output));
+  CHECK(contains(run.output, "map.obj, t_mesh.ply, t_spline.vtu, t_spline.obj, report.json and report.html in " + output));
   check_output(output, cube);
 
   // The page is self-contained: it names no other place. (The name space of SVG is a name.)
@@ -320,7 +346,7 @@ TEST_CASE("a given map gives the T-mesh and the report")
   const std::string output = directory.file("output");
   Cube_map(2).write(directory.file("cube.obj"));
   for (const char* option : {"", "--no-regularization"}) {
-    const Program_run run("--uv '" + directory.file("cube.obj") + "' " + option + " -o '" + output + "'");
+    const Program_run run("--uv '" + directory.file("cube.obj") + "' --no-spline " + option + " -o '" + output + "'");
     CAPTURE(run.errors, option);
     REQUIRE(run.exit_code == 0);
     CHECK(files_of(output) == std::set<std::string>{"report.html", "report.json", "t_mesh.ply"});
@@ -329,6 +355,7 @@ TEST_CASE("a given map gives the T-mesh and the report")
     const std::string report = file_content(output + "/report.json");
     CHECK_FALSE(contains(report, "\"map\""));
     CHECK(contains(report, "\"regularized\"") == std::string(option).empty());
+    CHECK_FALSE(contains(report, "\"t_spline\""));
 
     // The T-mesh is the cube.
     Test_t_mesh t_mesh;
@@ -351,7 +378,8 @@ TEST_CASE("a given map may have a border")
   Cube_map box(1);
   box.corners.resize(box.corners.size() - 6); // without its lid
   box.write(directory.file("box.obj"));
-  const Program_run run("--uv '" + directory.file("box.obj") + "' -o '" + directory.file("output") + "'");
+  const std::string arguments = "--uv '" + directory.file("box.obj") + "' -o '" + directory.file("output") + "'";
+  const Program_run run(arguments + " --no-spline");
   CAPTURE(run.errors);
   REQUIRE(run.exit_code == 0);
   CHECK(contains(run.output, "8 vertices, 10 faces, genus 0"));
@@ -360,6 +388,19 @@ TEST_CASE("a given map may have a border")
   REQUIRE(t_mesh.read(directory.file("output/t_mesh.ply")).success());
   CHECK(t_mesh.mesh.number_of_faces() == 5);
   CHECK(t_mesh.euler_characteristic() == 1);
+
+  // The border of the surface is made of the border's control points alone, which lie in the plane of the missing lid.
+  const Program_run with_spline(arguments);
+  CAPTURE(with_spline.errors);
+  REQUIRE(with_spline.exit_code == 0);
+  Mesh triangles;
+  REQUIRE(CGAL::IO::read_polygon_mesh(directory.file("output/t_spline.obj"), triangles));
+  CGAL::Bbox_3 box_of_border;
+  for (const auto v : triangles.vertices())
+    if (triangles.is_border(v))
+      box_of_border += triangles.point(v).bbox();
+  CHECK(std::min({box_of_border.x_span(), box_of_border.y_span(), box_of_border.z_span()}) < 1e-12);
+  CHECK(std::max({box_of_border.x_span(), box_of_border.y_span(), box_of_border.z_span()}) > 0.5);
 }
 
 TEST_CASE("every kind of bad map is refused with its name and element, exit code 2, and nothing is written")
@@ -421,7 +462,7 @@ TEST_CASE("the page draws in a browser, where there is one")
     return;
   }
   const std::string page = file_content(dom);
-  CHECK(contains(page, "<title>cube.obj: T-mesh</title>"));
+  CHECK(contains(page, "<title>cube.obj: T-spline surface</title>"));
   CHECK(contains(page, "<span class=\"good\">the map is exactly seamless</span>"));
   CHECK(contains(page, "aspect ratio, worst"));
   for (const char* name : {"none", "as traced", "regularized"})

@@ -12,19 +12,21 @@ function multiply(a, b) {
 }
 
 class Camera {
-  constructor(mesh) {
+  // positions: 3 per point of what is to be seen at first; radius: all that is drawn is that near to 0.
+  constructor(positions, radius) {
     this.fieldOfView = 28 * Math.PI / 180;
-    this.home = Camera.firstRotation(mesh);
-    this.mesh = mesh;
+    this.home = Camera.firstRotation(positions);
+    this.positions = positions;
+    this.radius = radius;
     this.reset(1);
   }
 
   // Looks along the axis of the least extent, y up unless that is the axis, a little from the left and from above.
-  static firstRotation(mesh) {
+  static firstRotation(positions) {
     const low = [0, 0, 0], high = [0, 0, 0];
-    for (let i = 0; i < mesh.positions.length; ++i) {
-      low[i % 3] = Math.min(low[i % 3], mesh.positions[i]);
-      high[i % 3] = Math.max(high[i % 3], mesh.positions[i]);
+    for (let i = 0; i < positions.length; ++i) {
+      low[i % 3] = Math.min(low[i % 3], positions[i]);
+      high[i % 3] = Math.max(high[i % 3], positions[i]);
     }
     const extent = high.map((x, d) => x - low[d]), least = Math.min(...extent);
     const frames = {
@@ -41,7 +43,7 @@ class Camera {
   reset(aspect) {
     this.rotation = this.home;
     const half = Math.tan(this.fieldOfView / 2);
-    const p = this.mesh.positions;
+    const p = this.positions;
     const bound = (row, scale) => {
       let low = Infinity, high = -Infinity;
       for (let i = 0; i < p.length; i += 3) {
@@ -83,7 +85,7 @@ class Camera {
   }
 
   projection(aspect) {
-    const f = 1 / Math.tan(this.fieldOfView / 2), reach = 1.05 + Math.hypot(...this.pivot);
+    const f = 1 / Math.tan(this.fieldOfView / 2), reach = 1.05 * this.radius + Math.hypot(...this.pivot);
     const near = Math.max(this.distance - reach, 0.02 * this.distance), far = this.distance + reach;
     return [f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, (far + near) / (near - far), -1, 0, 0, 2 * far * near / (near - far), 0];
   }

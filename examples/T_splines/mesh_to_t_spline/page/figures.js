@@ -116,8 +116,8 @@ function mapQuality(measure) {
   return { mean: weighted / total, worst, flipped };
 }
 
-function showVerdict({ input, signature, map, exact_map, t_mesh }) {
-  document.title = `${input.name}: ${t_mesh ? "T-mesh" : "seamless similarity map"}`;
+function showVerdict({ input, signature, map, exact_map, t_mesh, t_spline }) {
+  document.title = `${input.name}: ${t_spline ? "T-spline surface" : t_mesh ? "T-mesh" : "seamless similarity map"}`;
   document.getElementById("title").textContent = input.name;
   const facts = [`genus ${input.genus}`, `${countText(signature.cones.length)} cones`];
   if (map)
@@ -127,6 +127,8 @@ function showVerdict({ input, signature, map, exact_map, t_mesh }) {
     facts.push(`${countText(final.faces)} T-mesh faces`,
       `aspect ratio at worst ${ratioText(final.worst_aspect_ratio)}`);
   }
+  if (t_spline && t_spline.control_points !== undefined)
+    facts.push(`${countText(t_spline.control_points)} control points`);
   const status = exact_map ? exact_map.status : map.status;
   document.getElementById("verdict").append(element("span", { class: "good" }, status), ["", ...facts].join("  ·  "));
 }
@@ -164,6 +166,33 @@ function aspectNote(hasTwoStages) {
     result.append(element("br"), element("span", { class: "key before" }), "as traced",
       element("span", { class: "key" }), "regularized");
   return result;
+}
+
+// How many vertices there are of each valence. valences: an object from valences to counts; or an array of pairs, of
+// objects { valence, vertices }, or of one valence per vertex.
+function valenceCounts(valences) {
+  if (!Array.isArray(valences))
+    return Object.entries(valences || {}).map(([valence, count]) => [+valence, count]);
+  const counts = new Map();
+  for (const item of valences) {
+    const [valence, count] = Array.isArray(item) ? item : typeof item === "object" ? [item.valence, item.vertices] : [item, 1];
+    counts.set(valence, (counts.get(valence) || 0) + count);
+  }
+  return [...counts];
+}
+
+function splineSection(spline) {
+  const has = key => spline[key] !== undefined;
+  const rows = names => names.filter(([name, key]) => has(key)).map(([name, key]) => [name, spline[key] ?? shortNumber(null)]);
+  const valences = valenceCounts(spline.valences).sort((a, b) => a[0] - b[0])
+    .map(([valence, count]) => [`of valence ${valence}`, count]);
+  const point = element("p", { class: "note" }, element("span", { class: "swatch", style: `background: ${extraordinaryColor}` }),
+    "extraordinary points ", element("span", { class: "stroke", style: `background: ${netColor}; margin-left: 10px` }), "control net");
+  return section("T-spline surface", table([
+    ...rows([["control points", "control_points"], ["patches", "patches"], ["extraordinary vertices", "extraordinary_vertices"]]),
+    ...valences,
+    ...rows([["vertices added for compatibility", "added_vertices"], ["deviation of the caps / diagonal", "cap_deviation"],
+      ["largest deviation", "max_deviation"], ["triangles of the tessellation", "tessellation_triangles"]])]), point);
 }
 
 function tMeshSection({ traced, regularized }) {
@@ -227,13 +256,14 @@ function meshSection({ input, refined }, measure) {
 }
 
 function showFigures(report, measure) {
-  const { signature, map, refined, exact_map, t_mesh } = report;
+  const { signature, map, refined, exact_map, t_mesh, t_spline } = report;
   const memory = report.peak_memory_bytes ? `, ${(report.peak_memory_bytes / 2 ** 20).toFixed(0)} MB at most` : "";
   const loops = signature.loops.length ? `Turning numbers of the ${signature.loops.length} loops: ${signature.loops.join(", ")}.`
               : report.input.genus > 0 ? "" : "No loops: every closed curve is contractible.";
   showVerdict(report);
   document.getElementById("figures").append(
-    ...(t_mesh ? [tMeshSection(t_mesh)] : []), conesSection(signature), ...(map ? [convergenceSection(map)] : []),
+    ...(t_spline ? [splineSection(t_spline)] : []), ...(t_mesh ? [tMeshSection(t_mesh)] : []), conesSection(signature),
+    ...(map ? [convergenceSection(map)] : []),
     section("Time", stageBars(report.stages), note(`${seconds(report.seconds)} in all${memory}`)),
     ...(exact_map ? [exactMapSection(exact_map)] : []), ...(t_mesh ? [tracingSection(t_mesh)] : []),
     meshSection(report, measure),

@@ -28,8 +28,11 @@ function readMesh() {
 function readTMesh(name) {
   const points = new Float32Array(decode(`${name}_points`)), sizes = new Uint32Array(decode(`${name}_sizes`));
   const joints = new Float32Array(decode(`${name}_joints`));
-  if (sizes.length === 0)
-    return null;
+  return sizes.length > 0 ? { segments: polylineSegments(points, sizes), joints } : null;
+}
+
+// 6 coordinates per segment of the polylines, of which the points are given one after the other.
+function polylineSegments(points, sizes) {
   const segments = new Float32Array(6 * sizes.reduce((sum, size) => sum + size - 1, 0));
   let point = 0, end = 0;
   for (const size of sizes) {
@@ -37,7 +40,7 @@ function readTMesh(name) {
       segments.set(points.subarray(point, point + 6), end);
     point += 3;
   }
-  return { segments, joints };
+  return segments;
 }
 
 // Per triangle: area in space, area in the plane, dilatation (larger over smaller singular value), normal.

@@ -1,12 +1,7 @@
 // Everything that talks to WebGL2.
 
-const coneColors = { 1: "#7b1fa2", 2: "#d81b60", 3: "#e53935", 5: "#1e66d0", 6: "#00a2a8", 7: "#2e9e44", 8: "#8bb021" };
-
-const jointColor = [1, 1, 1];
-
-function coneColor(k) { return coneColors[k] || (k < 1 ? "#000000" : "#f2b705"); }
-
-function colorComponents(hex) { return [1, 3, 5].map(i => parseInt(hex.slice(i, i + 2), 16) / 255); }
+// The light lines round the surface in the view of reflection lines.
+const lightLineCount = 16;
 
 function icosphere() {
   const g = (1 + Math.sqrt(5)) / 2;
@@ -34,6 +29,7 @@ class Renderer {
       throw new Error("This browser offers no WebGL2, which the picture needs. The figures beside it are complete.");
     this.programs = {
       surface: this.program(surfaceVertexShader, surfaceFragmentShader),
+      spline: this.program(splineVertexShader, splineFragmentShader),
       line: this.program(lineVertexShader, lineFragmentShader),
       cone: this.program(coneVertexShader, coneFragmentShader)
     };
@@ -68,13 +64,13 @@ class Renderer {
       gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
       gl.bufferData(gl.ARRAY_BUFFER, attribute.data, gl.STATIC_DRAW);
       gl.enableVertexAttribArray(location);
-      const types = { Float32Array: gl.FLOAT, Int8Array: gl.BYTE, Uint8Array: gl.UNSIGNED_BYTE };
+      const types = { Float32Array: gl.FLOAT, Int8Array: gl.BYTE, Uint8Array: gl.UNSIGNED_BYTE, Int16Array: gl.SHORT };
       const type = types[attribute.data.constructor.name];
       const stride = attribute.stride || 0, offset = attribute.offset || 0;
       if (attribute.integer)
         gl.vertexAttribIPointer(location, attribute.size, type, stride, offset);
       else
-        gl.vertexAttribPointer(location, attribute.size, type, type === gl.BYTE, stride, offset);
+        gl.vertexAttribPointer(location, attribute.size, type, type === gl.BYTE || type === gl.SHORT, stride, offset);
       if (attribute.perInstance)
         gl.vertexAttribDivisor(location, 1);
     });
@@ -89,6 +85,20 @@ class Renderer {
         { data: buffers.position, size: 3 }, { data: buffers.normal, size: 3, stride: 4 }, { data: buffers.uv, size: 2 },
         { data: buffers.level, size: 1 }, { data: buffers.scale, size: 1 }, { data: buffers.dilatation, size: 1 },
         { data: buffers.flags, size: 1, integer: true }])
+    };
+  }
+
+  setSpline(buffers, { net, edges, extraordinary }) {
+    const gl = this.gl, array = this.vertexArray([
+      { data: buffers.position, size: 3 }, { data: buffers.normal, size: 3 }, { data: buffers.curvature, size: 2 }]);
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, buffers.triangles, gl.STATIC_DRAW);
+    gl.bindVertexArray(null);
+    const color = colorComponents(extraordinaryColor);
+    this.spline = {
+      array, corners: buffers.triangles.length, net: this.lines(net), edges: this.lines(edges),
+      extraordinary: this.balls(extraordinary, extraordinary.map((_, i) => color[i % 3]))
     };
   }
 
@@ -131,46 +141,73 @@ class Renderer {
     const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
     if (this.canvas.width !== width || this.canvas.height !== height)
       [this.canvas.width, this.canvas.height] = [width, height];
-    const aspect = width / height;
     gl.viewport(0, 0, width, height);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LEQUAL);
+    const frame = { camera, ratio, width, height, aspect: width / height };
+    if (options.view.ofSpline)
+      this.drawSpline(frame, options);
+    else
+      this.drawMap(frame, options);
+    gl.bindVertexArray(null);
+  }
 
-    const surface = this.use(this.programs.surface, camera, aspect);
-    gl.uniform1i(surface.mode, options.mode);
+  drawSurface({ camera, ratio, aspect }, options) {
+    const gl = this.gl, surface = this.use(this.programs.surface, camera, aspect);
+    gl.uniform1i(surface.mode, options.view.mode);
     gl.uniform1i(surface.wire, options.wire);
     gl.uniform1f(surface.cellOctaves, options.cellOctaves);
     gl.uniform1f(surface.scaleRange, this.surface.scaleRange);
     gl.uniform1f(surface.pixels, ratio);
     gl.bindVertexArray(this.surface.array);
     gl.drawArrays(gl.TRIANGLES, 0, this.surface.corners);
+  }
 
-    const drawLines = (lines, thickness, color) => {
-      const line = this.use(this.programs.line, camera, aspect);
-      gl.uniform2f(line.viewport, width, height);
-      gl.uniform1f(line.thickness, thickness * ratio);
-      gl.uniform3f(line.lineColor, ...color);
-      gl.bindVertexArray(lines.array);
-      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, lines.count);
-    };
-    const drawBalls = (balls, radius, leastPixels) => {
-      const cone = this.use(this.programs.cone, camera, aspect);
-      gl.uniform1f(cone.radius, radius * Math.min(1, Math.pow(camera.distance / 4, 0.6)));
-      gl.uniform1f(cone.leastRadius, 2 * leastPixels * ratio / height);
-      gl.bindVertexArray(balls.array);
-      gl.drawArraysInstanced(gl.TRIANGLES, 0, balls.corners, balls.count);
-    };
+  drawLines({ camera, ratio, width, height, aspect }, lines, thickness, color) {
+    const gl = this.gl, line = this.use(this.programs.line, camera, aspect);
+    gl.uniform2f(line.viewport, width, height);
+    gl.uniform1f(line.thickness, thickness * ratio);
+    gl.uniform3f(line.lineColor, ...color);
+    gl.bindVertexArray(lines.array);
+    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, lines.count);
+  }
+
+  drawBalls({ camera, ratio, height, aspect }, balls, radius, leastPixels) {
+    const gl = this.gl, cone = this.use(this.programs.cone, camera, aspect);
+    gl.uniform1f(cone.radius, radius * Math.min(1, Math.pow(camera.distance / 4, 0.6)));
+    gl.uniform1f(cone.leastRadius, 2 * leastPixels * ratio / height);
+    gl.bindVertexArray(balls.array);
+    gl.drawArraysInstanced(gl.TRIANGLES, 0, balls.corners, balls.count);
+  }
+
+  drawMap(frame, options) {
+    this.drawSurface(frame, options);
     const tMesh = this.tMeshes[options.tMesh - 1];
     if (options.cut && this.cut.count > 0)
-      drawLines(this.cut, 2.2, [0.84, 0.36, 0.05]);
+      this.drawLines(frame, this.cut, 2.2, [0.84, 0.36, 0.05]);
     if (tMesh)
-      drawLines(tMesh.lines, 1.7, [0.09, 0.13, 0.22]);
+      this.drawLines(frame, tMesh.lines, 1.7, [0.09, 0.13, 0.22]);
     if (tMesh && options.joints && tMesh.joints.count > 0)
-      drawBalls(tMesh.joints, options.jointRadius, Math.min(2.6, Math.max(1.3, 80 / Math.sqrt(tMesh.joints.count))));
+      this.drawBalls(frame, tMesh.joints, options.jointRadius, Math.min(2.6, Math.max(1.3, 80 / Math.sqrt(tMesh.joints.count))));
     if (options.cones && this.cones.count > 0)
-      drawBalls(this.cones, options.coneRadius, 0);
-    gl.bindVertexArray(null);
+      this.drawBalls(frame, this.cones, options.coneRadius, 0);
+  }
+
+  drawSpline(frame, options) {
+    const gl = this.gl, spline = this.use(this.programs.spline, frame.camera, frame.aspect);
+    gl.uniform1i(spline.mode, options.view.mode);
+    gl.uniform1f(spline.lineCount, Math.round(lightLineCount * 2 ** options.lineOctaves));
+    gl.uniform1i(spline.lights, options.lights);
+    gl.uniform1f(spline.curvatureRange, options.curvatureRange * 2 ** options.rangeOctaves);
+    gl.bindVertexArray(this.spline.array);
+    gl.drawElements(gl.TRIANGLES, this.spline.corners, gl.UNSIGNED_INT, 0);
+    if (options.edges && this.spline.edges.count > 0)
+      this.drawLines(frame, this.spline.edges, 1.4, colorComponents(edgeColor));
+    if (options.net && this.spline.net.count > 0)
+      this.drawLines(frame, this.spline.net, 1.3, colorComponents(netColor));
+    if (options.points && this.spline.extraordinary.count > 0)
+      this.drawBalls(frame, this.spline.extraordinary, options.coneRadius, 0);
   }
 }

@@ -30,6 +30,9 @@ CGAL_T_SPLINES_NAMED_PARAMETER(face_anchor_map)
 CGAL_T_SPLINES_NAMED_PARAMETER(edge_polyline_map)
 CGAL_T_SPLINES_NAMED_PARAMETER(relative_tolerance)
 
+// Spline
+CGAL_T_SPLINES_NAMED_PARAMETER(number_of_rings)
+
 // IO
 CGAL_T_SPLINES_NAMED_PARAMETER(vertex_weight_map)
 

@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/T_mesh/internal/Trace_geometry.h>
 #include <CGAL/T_splines/internal/Face_graph_writer.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
+#include <CGAL/T_splines/internal/converted_number.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -23,18 +24,6 @@
 namespace CGAL {
 namespace T_splines {
 namespace internal {
-
-/// A number of the tracer in the number type of a property map.
-template <typename To, typename FT>
-To converted_number(const FT& x)
-{
-  if constexpr (std::is_same<To, FT>::value)
-    return x;
-  else if constexpr (std::is_floating_point<To>::value)
-    return static_cast<To>(CGAL::to_double(x));
-  else
-    return To(x);
-}
 
 /// Writes the T-mesh of a motorcycle graph, and what lies where, into a face graph and property maps.
 /// \tparam TMesh a model of `MutableFaceGraph`

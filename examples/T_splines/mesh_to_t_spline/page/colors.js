@@ -1,0 +1,18 @@
+// Colours that the picture and its legends share.
+
+const coneColors = { 1: "#7b1fa2", 2: "#d81b60", 3: "#e53935", 5: "#1e66d0", 6: "#00a2a8", 7: "#2e9e44", 8: "#8bb021" };
+
+const jointColor = [1, 1, 1];
+
+function coneColor(k) { return coneColors[k] || (k < 1 ? "#000000" : "#f2b705"); }
+
+function colorComponents(hex) { return [1, 3, 5].map(i => parseInt(hex.slice(i, i + 2), 16) / 255); }
+
+// Of the curvature, from the lowest to the highest, in equal steps.
+const curvatureColors = ["#1b4f9c", "#6fa8d6", "#f7f7f5", "#ec9173", "#a8172b"];
+
+const undefinedColor = "#8f9499";
+
+const extraordinaryColor = "#f2b705", netColor = "#008577", edgeColor = "#172138";
+
+function glslColor(hex) { return `vec3(${colorComponents(hex).map(x => x.toFixed(4)).join(", ")})`; }

@@ -1,0 +1,103 @@
+// The T-spline surface of the page and what is computed from it once.
+
+// null if there is none. points: 3 coordinates per point, in the frame of the mesh; normals: 3 multiples of 1/32767 per
+// point; curvature: 1 per point, in the units of the model, NaN where undefined; triangles: 3 points each;
+// net, edges: segments; extraordinary: 3 coordinates per point.
+function readSpline() {
+  const floats = id => new Float32Array(decode(id)), integers = id => new Uint32Array(decode(id));
+  const spline = {
+    points: floats("spline_points"), normals: new Int16Array(decode("spline_normals")),
+    curvature: floats("spline_curvature"), triangles: integers("spline_triangles"),
+    net: polylineSegments(floats("net_points"), integers("net_sizes")),
+    edges: polylineSegments(floats("edge_points"), integers("edge_sizes")),
+    extraordinary: floats("extraordinary_points")
+  };
+  return spline.triangles.length > 0 ? spline : null;
+}
+
+// The normal of the triangle that begins at index t, twice as long as the area.
+function splineTriangleNormal({ points, triangles }, t) {
+  const a = 3 * triangles[t], b = 3 * triangles[t + 1], c = 3 * triangles[t + 2];
+  const px = points[b] - points[a], py = points[b + 1] - points[a + 1], pz = points[b + 2] - points[a + 2];
+  const qx = points[c] - points[a], qy = points[c + 1] - points[a + 1], qz = points[c + 2] - points[a + 2];
+  return [py * qz - pz * qy, pz * qx - px * qz, px * qy - py * qx];
+}
+
+// Per point, a third of the areas of its triangles.
+function pointAreas(spline) {
+  const areas = new Float64Array(spline.points.length / 3);
+  for (let t = 0; t < spline.triangles.length; t += 3) {
+    const area = Math.hypot(...splineTriangleNormal(spline, t)) / 6;
+    for (let i = t; i < t + 3; ++i)
+      areas[spline.triangles[i]] += area;
+  }
+  return areas;
+}
+
+// The triangles, turned over where the normals want it: then the front is the side that the normals point to.
+function orientedTriangles(spline) {
+  const { normals, triangles } = spline, result = triangles.slice();
+  for (let t = 0; t < triangles.length; t += 3) {
+    const normal = splineTriangleNormal(spline, t);
+    let sum = 0;
+    for (let i = t; i < t + 3; ++i)
+      for (let d = 0; d < 3; ++d)
+        sum += normal[d] * normals[3 * triangles[i] + d];
+    if (sum < 0)
+      [result[t + 1], result[t + 2]] = [triangles[t + 2], triangles[t + 1]];
+  }
+  return result;
+}
+
+// How the mean curvature is distributed over the area. bound(q): the share q of the area has no larger absolute value;
+// share(x): of which share of the area this x is the bound.
+function curvatureDistribution(spline) {
+  const areas = pointAreas(spline), order = [];
+  let low = Infinity, high = -Infinity, sum = 0;
+  spline.curvature.forEach((value, i) => {
+    if (Number.isFinite(value)) {
+      order.push(i);
+      low = Math.min(low, value);
+      high = Math.max(high, value);
+    }
+  });
+  const sizes = spline.curvature.map(Math.abs);
+  order.sort((i, j) => sizes[i] - sizes[j]);
+  const sums = order.map(i => sum += areas[i]);
+  const firstWhere = holds => {
+    let begin = 0, end = order.length;
+    while (begin < end) {
+      const middle = (begin + end) >> 1;
+      [begin, end] = holds(middle) ? [begin, middle] : [middle + 1, end];
+    }
+    return begin;
+  };
+  return {
+    low, high, isKnown: order.length > 0,
+    bound: q => sizes[order[Math.min(order.length - 1, firstWhere(i => sums[i] >= q * sum))]],
+    share: x => {
+      const end = firstWhere(i => sizes[order[i]] > x);
+      return end > 0 ? sums[end - 1] / sum : 0;
+    }
+  };
+}
+
+// The largest curvature of the colour map, with two digits: 95 % of the area have less. (Of a plane one would see only
+// round-off.)
+function curvatureRange(distribution, diagonal) {
+  const least = 1e-6 / diagonal;
+  if (!distribution.isKnown)
+    return least;
+  const bound = Math.max(distribution.bound(0.95), least), unit = 10 ** (Math.floor(Math.log10(bound)) - 1);
+  return Math.ceil(bound / unit) * unit;
+}
+
+// What the surface is drawn from; curvature: per point the value and 1, or 0 and 0 where it is undefined.
+function splineBuffers(spline) {
+  const curvature = new Float32Array(2 * spline.points.length / 3);
+  spline.curvature.forEach((value, i) => {
+    if (Number.isFinite(value))
+      curvature.set([value, 1], 2 * i);
+  });
+  return { position: spline.points, normal: spline.normals, curvature, triangles: orientedTriangles(spline) };
+}

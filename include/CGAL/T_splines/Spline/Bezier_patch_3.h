@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_SPLINE_BEZIER_PATCH_3_H
+#define CGAL_T_SPLINES_SPLINE_BEZIER_PATCH_3_H
+
+#include <CGAL/T_splines/Spline/Surface_jet.h>
+#include <CGAL/T_splines/Spline/internal/rational_jet.h>
+
+#include <array>
+
+namespace CGAL {
+namespace T_splines {
+
+/// A rational bicubic Bezier patch over [0, 1]^2.
+///
+/// Its 16 control points are homogeneous, (w x, w y, w z, w); number 4 j + i is the i-th one along the first parameter
+/// and the j-th one along the second.
+/// \tparam Kernel_ a CGAL kernel
+template <typename Kernel_>
+class Bezier_patch_3 {
+public:
+  using Kernel = Kernel_;
+  using FT = typename Kernel::FT;
+  using Point_3 = typename Kernel::Point_3;
+  using Homogeneous = std::array<FT, 4>;
+  using Controls = std::array<Homogeneous, 16>;
+
+  Bezier_patch_3() : m_controls() {}
+  explicit Bezier_patch_3(const Controls& controls) : m_controls(controls) {}
+
+  const Controls& homogeneous_control_points() const { return m_controls; }
+  Homogeneous& homogeneous_control_point(const int i, const int j) { return m_controls[4 * j + i]; }
+  const Homogeneous& homogeneous_control_point(const int i, const int j) const { return m_controls[4 * j + i]; }
+
+  /// returns control point (i, j), euclidean.
+  Point_3 control_point(const int i, const int j) const
+  {
+    return internal::projected_point<Kernel>(homogeneous_control_point(i, j));
+  }
+  const FT& weight(const int i, const int j) const { return homogeneous_control_point(i, j)[3]; }
+
+  Point_3 position(const FT& s, const FT& t) const
+  {
+    return internal::projected_point<Kernel>(homogeneous_jet<0>(s, t)[0]);
+  }
+
+  /// returns the point at (s, t) with the first and second derivatives with respect to s and t.
+  Surface_jet<Kernel> jet(const FT& s, const FT& t) const
+  {
+    return internal::rational_jet<Kernel>(homogeneous_jet<2>(s, t));
+  }
+
+  /// returns the homogeneous coordinates and their derivatives up to `Order` (0, 1 or 2): value, d/ds, d/dt, d2/ds2,
+  /// d2/dsdt, d2/dt2; those of higher order are not set.
+  template <int Order>
+  std::array<Homogeneous, 6> homogeneous_jet(const FT& s, const FT& t) const
+  {
+    const std::array<std::array<FT, 4>, 3> a = bernstein<Order>(s), b = bernstein<Order>(t);
+    std::array<Homogeneous, 6> result;
+    constexpr int number = Order == 0 ? 1 : Order == 1 ? 3 : 6;
+    for (int k = 0; k < number; ++k)
+      result[k] = {FT(0), FT(0), FT(0), FT(0)};
+    for (int j = 0; j < 4; ++j) {
+      std::array<Homogeneous, Order + 1> row;
+      for (int d = 0; d <= Order; ++d) {
+        row[d] = scaled(m_controls[4 * j], a[d][0]);
+        for (int i = 1; i < 4; ++i)
+          add(row[d], m_controls[4 * j + i], a[d][i]);
+      }
+      add(result[0], row[0], b[0][j]);
+      if constexpr (Order > 0) {
+        add(result[1], row[1], b[0][j]);
+        add(result[2], row[0], b[1][j]);
+      }
+      if constexpr (Order > 1) {
+        add(result[3], row[2], b[0][j]);
+        add(result[4], row[1], b[1][j]);
+        add(result[5], row[0], b[2][j]);
+      }
+    }
+    return result;
+  }
+
+private:
+  static Homogeneous scaled(const Homogeneous& h, const FT& x)
+  {
+    return {FT(x * h[0]), FT(x * h[1]), FT(x * h[2]), FT(x * h[3])};
+  }
+  static void add(Homogeneous& sum, const Homogeneous& h, const FT& x)
+  {
+    for (int k = 0; k < 4; ++k)
+      sum[k] += x * h[k];
+  }
+
+  // The cubic Bernstein polynomials and their derivatives up to `Order`.
+  template <int Order>
+  static std::array<std::array<FT, 4>, 3> bernstein(const FT& x)
+  {
+    const FT y = FT(1) - x, xx = x * x, yy = y * y, three(3), six(6);
+    std::array<std::array<FT, 4>, 3> result;
+    result[0] = {FT(yy * y), FT(three * x * yy), FT(three * xx * y), FT(xx * x)};
+    if constexpr (Order > 0)
+      result[1] = {FT(-(three * yy)), FT(three * yy - six * x * y), FT(six * x * y - three * xx), FT(three * xx)};
+    if constexpr (Order > 1)
+      result[2] = {FT(six * y), FT(six * x - FT(12) * y), FT(six * y - FT(12) * x), FT(six * x)};
+    return result;
+  }
+
+  Controls m_controls;
+};
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_SPLINE_BEZIER_PATCH_3_H

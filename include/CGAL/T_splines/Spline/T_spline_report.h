@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_SPLINE_T_SPLINE_REPORT_H
+#define CGAL_T_SPLINES_SPLINE_T_SPLINE_REPORT_H
+
+#include <CGAL/T_splines/T_mesh/Spline_compatibility_report.h>
+#include <CGAL/T_splines/internal/element_numbers.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <string>
+
+namespace CGAL {
+namespace T_splines {
+
+/// Whether a T-spline surface is defined, and if not, why.
+enum class T_spline_status {
+  VALID,                    ///< the surface can be evaluated
+  NOT_SPLINE_COMPATIBLE,    ///< the T-mesh carries no T-spline: see `compatibility`
+  CONTROL_POINT_NOT_FINITE, ///< a coordinate or the weight of the control point of `vertex` is infinite or not a number
+  WEIGHT_NOT_POSITIVE       ///< the weight of the control point of `vertex` is zero or negative
+};
+
+/// returns one sentence that explains `status`.
+inline const char* message(const T_spline_status status)
+{
+  switch (status) {
+  case T_spline_status::VALID: return "the surface is valid";
+  case T_spline_status::NOT_SPLINE_COMPATIBLE: return "the T-mesh is not spline compatible";
+  case T_spline_status::CONTROL_POINT_NOT_FINITE:
+    return "a control point has a coordinate or weight that is not finite";
+  case T_spline_status::WEIGHT_NOT_POSITIVE: return "the weight of a control point is not positive";
+  }
+  return "";
+}
+
+/// What is wrong with a T-spline surface, and where. Members that `status` does not mention have no meaning.
+/// \tparam TMesh a model of `FaceGraph`
+template <typename TMesh>
+struct T_spline_report {
+  T_spline_status status = T_spline_status::VALID;
+  Spline_compatibility_report<TMesh> compatibility;
+  typename boost::graph_traits<TMesh>::vertex_descriptor vertex = boost::graph_traits<TMesh>::null_vertex();
+
+  bool success() const { return status == T_spline_status::VALID; }
+  explicit operator bool() const { return success(); }
+};
+
+/// returns what `report` says and the numbers of the elements concerned; of a T-mesh that is not spline compatible,
+/// which condition fails. Complexity: linear in the size of the T-mesh.
+template <typename TMesh>
+std::string describe(const T_spline_report<TMesh>& report, const TMesh& t_mesh)
+{
+  if (report.status == T_spline_status::NOT_SPLINE_COMPATIBLE)
+    return describe(report.compatibility, t_mesh);
+  return message(report.status) +
+         internal::numbered_elements(t_mesh, report.vertex, boost::graph_traits<TMesh>::null_face());
+}
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_SPLINE_T_SPLINE_REPORT_H

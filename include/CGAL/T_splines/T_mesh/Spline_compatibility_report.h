@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_T_MESH_SPLINE_COMPATIBILITY_REPORT_H
+#define CGAL_T_SPLINES_T_MESH_SPLINE_COMPATIBILITY_REPORT_H
+
+#include <CGAL/T_splines/T_mesh/Admissibility_report.h>
+#include <CGAL/T_splines/internal/element_numbers.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <string>
+
+namespace CGAL {
+namespace T_splines {
+
+/// Whether a T-mesh carries a T-spline surface, and if not, why ([CZ17] section 4.1.3). The first three values after
+/// SPLINE_COMPATIBLE cannot be helped by refinement.
+enum class Spline_compatibility_status {
+  SPLINE_COMPATIBLE,         ///< all conditions hold
+  INADMISSIBLE,              ///< the knots are not admissible: see `admissibility`
+  UNSUPPORTED_BORDER_VERTEX, ///< the border turns inwards at `vertex`: its extended valence is 3 or more
+  TOUCHING_BORDERS,          ///< the border meets itself at `vertex`
+  TOO_FEW_BORDER_INTERVALS,  ///< fewer than three knot intervals lie between the two borders that `vertex` sees
+  IRREGULAR_RINGS,           ///< A: the three rings around `vertex`, extraordinary, are not regular at `face`
+  BORDER_IN_RINGS,      ///< A: the border is so close to `extraordinary_vertex` that knots of `vertex` are not uniform
+  SUPPORT_REACHES_CONE, ///< B: the support of `vertex` reaches `face`, incident to `extraordinary_vertex`
+  SUPPORT_OVERLAPS_ITSELF ///< C: the support of `vertex` overlaps `face` twice
+};
+
+/// returns one sentence that explains `status`.
+inline const char* message(const Spline_compatibility_status status)
+{
+  switch (status) {
+  case Spline_compatibility_status::SPLINE_COMPATIBLE: return "the T-mesh is spline compatible";
+  case Spline_compatibility_status::INADMISSIBLE: return "the halfedge knots are not admissible";
+  case Spline_compatibility_status::UNSUPPORTED_BORDER_VERTEX:
+    return "the border turns inwards at a vertex: border vertices must have the extended valence 1 or 2";
+  case Spline_compatibility_status::TOUCHING_BORDERS: return "the border meets itself at a vertex";
+  case Spline_compatibility_status::TOO_FEW_BORDER_INTERVALS:
+    return "less than three knot intervals lie between two borders";
+  case Spline_compatibility_status::IRREGULAR_RINGS:
+    return "condition A: an extraordinary vertex is not surrounded by three conforming, uniform rings of faces";
+  case Spline_compatibility_status::BORDER_IN_RINGS:
+    return "condition A: the border is too close to the rings around an extraordinary vertex";
+  case Spline_compatibility_status::SUPPORT_REACHES_CONE:
+    return "condition B: the support of a vertex outside of the second ring reaches a face at an extraordinary vertex";
+  case Spline_compatibility_status::SUPPORT_OVERLAPS_ITSELF:
+    return "condition C: the support of a vertex overlaps itself";
+  }
+  return "";
+}
+
+/// The result of `is_spline_compatible()` and `make_spline_compatible()`: which condition fails, and where. Members
+/// that
+/// `status` does not mention have no meaning.
+/// \tparam TMesh a model of `FaceGraph`.
+template <typename TMesh>
+struct Spline_compatibility_report {
+  using Traits = boost::graph_traits<TMesh>;
+
+  Spline_compatibility_status status = Spline_compatibility_status::SPLINE_COMPATIBLE;
+  Admissibility_report<TMesh> admissibility;
+  typename Traits::vertex_descriptor vertex = Traits::null_vertex();
+  typename Traits::vertex_descriptor extraordinary_vertex = Traits::null_vertex();
+  typename Traits::face_descriptor face = Traits::null_face();
+
+  bool success() const { return status == Spline_compatibility_status::SPLINE_COMPATIBLE; }
+  explicit operator bool() const { return success(); }
+};
+
+/// returns what `report` says and the numbers of the elements concerned. Complexity: linear in the size of the T-mesh.
+template <typename TMesh>
+std::string describe(const Spline_compatibility_report<TMesh>& report, const TMesh& t_mesh)
+{
+  const bool is_inadmissible = report.status == Spline_compatibility_status::INADMISSIBLE;
+  return (is_inadmissible ? message(report.admissibility.status) : message(report.status)) +
+         internal::numbered_elements(t_mesh, report.vertex, report.face);
+}
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_T_MESH_SPLINE_COMPATIBILITY_REPORT_H

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_T_MESH_IS_SPLINE_COMPATIBLE_H
+#define CGAL_T_SPLINES_T_MESH_IS_SPLINE_COMPATIBLE_H
+
+#include <CGAL/T_splines/T_mesh/Spline_compatibility_report.h>
+#include <CGAL/T_splines/T_mesh/internal/Spline_structure.h>
+#include <CGAL/T_splines/T_mesh/is_admissible.h>
+#include <CGAL/T_splines/internal/Mesh_indexing.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/property_map/property_map.hpp>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+template <typename TMesh>
+Spline_compatibility_report<TMesh> described(const Spline_defect& defect, const Mesh_indexing<TMesh>& indexing)
+{
+  Spline_compatibility_report<TMesh> report;
+  report.status = defect.status;
+  if (defect.vertex >= 0)
+    report.vertex = indexing.vertex(defect.vertex);
+  if (defect.extraordinary_vertex >= 0)
+    report.extraordinary_vertex = indexing.vertex(defect.extraordinary_vertex);
+  if (defect.face >= 0)
+    report.face = indexing.face(defect.face);
+  return report;
+}
+
+// The first defect but for those of supports.
+template <typename KnotFT, typename FT>
+Spline_defect defect_before_supports(Spline_structure<KnotFT, FT>& structure)
+{
+  Spline_defect defect = structure.check_vertices();
+  if (!defect)
+    defect = structure.check_rings();
+  if (!defect)
+    defect = structure.find_knots();
+  return defect;
+}
+
+// Checks admissibility; writes what is wrong.
+template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename NamedParameters>
+bool is_known_admissible(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
+                         const NamedParameters& np, Spline_compatibility_report<TMesh>& report)
+{
+  report.admissibility = is_admissible(t_mesh, knots, corners, np);
+  if (report.admissibility)
+    return true;
+  report.status = Spline_compatibility_status::INADMISSIBLE;
+  report.vertex = report.admissibility.vertex;
+  report.face = report.admissibility.face;
+  return false;
+}
+
+} // namespace internal
+
+/// checks whether a T-mesh with halfedge knots carries a T-spline surface ([CZ17] section 4.1.3).
+///
+/// Beyond admissibility these are the conditions:
+/// - A: each extraordinary vertex is surrounded by three rings of square faces of one size (in a common unit) that meet
+///   edge to edge. T-joints may lie on the outer rim of the third ring, where they change nothing inside;
+/// - B: the support of a vertex reaches a face at an extraordinary vertex only if it belongs to the vertex's first two
+///   rings, or is that vertex;
+/// - C: no support overlaps itself: each face has one transition to the frame of each vertex.
+///
+/// Extraordinary vertices may have any extended valence. At the valences 1 and 2 supports come back to the three rings
+/// from the other side; there C does not apply. The border must be straight, or have right-angled corners outwards;
+/// between two borders there must be at least three intervals in each row.
+/// \tparam TMesh a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`, with or without border; it may
+///         be non-simple
+/// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `is_admissible()`
+/// \param t_mesh, knots, corners the T-mesh
+/// \param np named parameters: `relative_tolerance`, as for `is_admissible()`
+/// \return the first defect: the status, which names the condition, and the elements. The report converts to `true` if
+///         there is none. With exact knots all decisions are exact.
+/// Complexity: linear in the number of pairs of a vertex and a face of its support.
+template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Spline_compatibility_report<TMesh> is_spline_compatible(const TMesh& t_mesh, const HalfedgeKnotMap knots,
+                                                        const HalfedgeCornerMap corners,
+                                                        const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using FT = typename boost::property_traits<HalfedgeKnotMap>::value_type;
+  Spline_compatibility_report<TMesh> report;
+  if (!internal::is_known_admissible(t_mesh, knots, corners, np, report))
+    return report;
+  const internal::Mesh_indexing<TMesh> indexing(t_mesh);
+  internal::Spline_structure<FT> structure(indexing, knots, corners);
+  internal::Spline_defect defect = internal::defect_before_supports(structure);
+  if (!defect)
+    defect = structure.find_supports([](int, const internal::Basis_support<FT>&) {});
+  return internal::described(defect, indexing);
+}
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_T_MESH_IS_SPLINE_COMPATIBLE_H

@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_T_MESH_MAKE_SPLINE_COMPATIBLE_H
+#define CGAL_T_SPLINES_T_MESH_MAKE_SPLINE_COMPATIBLE_H
+
+#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
+#include <CGAL/T_splines/T_mesh/internal/Counted_splits.h>
+#include <CGAL/T_splines/T_mesh/internal/Spline_compatibility_repair.h>
+#include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
+#include <CGAL/T_splines/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+
+/// What `make_spline_compatible()` did. If it did not succeed, `status` tells what is still wrong; the numbers are
+/// always set but for INADMISSIBLE.
+/// \tparam TMesh a model of `FaceGraph`
+template <typename TMesh>
+struct Spline_refinement_report : Spline_compatibility_report<TMesh> {
+  std::size_t vertices_before = 0, vertices_after = 0;
+  std::size_t faces_before = 0, faces_after = 0;
+  std::size_t extraordinary_vertices = 0;
+  std::size_t vertices_in_rings = 0;              ///< afterwards, the extraordinary vertices included
+  std::size_t splits_for_rings = 0;               ///< condition A
+  std::size_t splits_at_border = 0;               ///< TOO_FEW_BORDER_INTERVALS, BORDER_IN_RINGS
+  std::size_t splits_of_reaching_supports = 0;    ///< condition B
+  std::size_t splits_of_overlapping_supports = 0; ///< condition C
+  bool is_limit_reached = false;                  ///< the allowed number of splits was not enough
+};
+
+namespace internal {
+
+// The vertices of all rings, each once.
+template <typename FT>
+std::size_t number_of_vertices_in_rings(const Spline_structure<FT>& structure)
+{
+  const auto& arrays = structure.arrays();
+  std::vector<char> is_in_rings(arrays.number_of_vertices());
+  for (const Regular_rings<FT>& rings : structure.rings())
+    for (int sector = 0; sector < rings.valence(); ++sector)
+      for (int x = 0; x < 3; ++x)
+        for (int y = 0; y < (x < 2 ? 3 : 2); ++y)
+          for (int side = 0; side < 4; ++side)
+            is_in_rings[arrays.source(arrays.first_of_side(rings.face(sector, x, y), side))] = true;
+  return std::count(is_in_rings.begin(), is_in_rings.end(), true);
+}
+
+// Fills in the numbers before; false if refinement cannot help.
+template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename NamedParameters>
+bool is_repairable(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
+                   const NamedParameters& np, Spline_refinement_report<TMesh>& report)
+{
+  Spline_compatibility_report<TMesh>& result = report;
+  if (!is_known_admissible(t_mesh, knots, corners, np, result))
+    return false;
+  const Mesh_indexing<TMesh> indexing(t_mesh);
+  const Spline_structure<typename boost::property_traits<HalfedgeKnotMap>::value_type> structure(indexing, knots,
+                                                                                                 corners);
+  result = described(structure.check_vertices(), indexing);
+  report.extraordinary_vertices = structure.extraordinary_vertices().size();
+  report.vertices_before = report.vertices_after = indexing.number_of_vertices();
+  report.faces_before = report.faces_after = indexing.number_of_faces();
+  return report.success();
+}
+
+template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap>
+void count_elements(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
+                    Spline_refinement_report<TMesh>& report)
+{
+  const Mesh_indexing<TMesh> indexing(t_mesh);
+  Spline_structure<typename boost::property_traits<HalfedgeKnotMap>::value_type> structure(indexing, knots, corners);
+  report.vertices_after = indexing.number_of_vertices();
+  report.faces_after = indexing.number_of_faces();
+  report.extraordinary_vertices = structure.extraordinary_vertices().size();
+  if (report.success() && !structure.check_rings())
+    report.vertices_in_rings = number_of_vertices_in_rings(structure);
+}
+
+} // namespace internal
+
+/// splits faces of a T-mesh with halfedge knots until it carries a T-spline surface: until `is_spline_compatible()`
+/// holds ([CZ17] section 8.2).
+///
+/// - Each extraordinary vertex whose three rings are not regular gets rings, as large as the edges at it and its
+///   extraordinary neighbours allow.
+/// - Where the border is too close, lines are inserted parallel to it.
+/// - Where a support reaches a face at an extraordinary vertex from outside of the second ring, a line of this ring is
+///   extended.
+/// - Where a support overlaps itself, a face is split across the axis along which it does.
+///
+/// Edges are only inserted, by `T_mesh_editor`, each through one face; no line is extended farther than a condition
+/// asks.
+/// \tparam TMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`; it may be non-simple
+/// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_mesh_editor`
+/// \param t_mesh, knots, corners the T-mesh
+/// \param np named parameters: `visitor`, a model of `TMeshVisitor`; `number_of_iterations`, a `std::size_t`, the
+///        largest number of splits (1000 and 30 per face, which ends the work on T-meshes that spiral so tightly that C
+///        would ask for ever smaller faces; others need about 10 per face); `relative_tolerance`, as for
+///        `is_admissible()`
+/// \return whether the T-mesh is spline compatible now, and how many splits were made for what. Nothing is changed if
+///         the status is INADMISSIBLE, UNSUPPORTED_BORDER_VERTEX or TOUCHING_BORDERS.
+/// Complexity: linear in the number of pairs of a vertex and a face of its support, for a few rounds; most of them look
+/// only at a few vertices.
+template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Spline_refinement_report<TMesh> make_spline_compatible(TMesh& t_mesh, const HalfedgeKnotMap knots,
+                                                       const HalfedgeCornerMap corners,
+                                                       const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Visitor = typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::visitor_t, NamedParameters,
+                                                                     T_mesh_visitor>::type;
+  using Splits = internal::Counted_splits<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Visitor>;
+  Spline_refinement_report<TMesh> report;
+  if (!internal::is_repairable(t_mesh, knots, corners, np, report))
+    return report;
+  const std::size_t number_of_splits = choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
+                                                        1000 + 30 * report.faces_before);
+  Splits splits(t_mesh, knots, corners,
+                choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor()), number_of_splits);
+  internal::Spline_compatibility_repair<Splits> repair(splits);
+  if (!repair.run()) {
+    static_cast<Spline_compatibility_report<TMesh>&>(report) = is_spline_compatible(t_mesh, knots, corners, np);
+    report.is_limit_reached = !report.success() && splits.is_exhausted();
+  }
+  report.splits_for_rings = repair.counts().rings;
+  report.splits_at_border = repair.counts().border;
+  report.splits_of_reaching_supports = repair.counts().reaching_supports;
+  report.splits_of_overlapping_supports = repair.counts().overlapping_supports;
+  internal::count_elements(t_mesh, knots, corners, report);
+  return report;
+}
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_T_MESH_MAKE_SPLINE_COMPATIBLE_H

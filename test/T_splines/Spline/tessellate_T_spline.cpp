@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/T_splines/Spline/tessellate_T_spline.h>
+
+#include <CGAL/T_splines/IO/write_t_spline_obj.h>
+#include <CGAL/T_splines/Spline/compile_T_spline.h>
+
+#include "IO/Temporary_directory.h"
+#include "Spline/Spline_mesh.h"
+
+#include <CGAL/Random.h>
+#include <CGAL/boost/graph/IO/OBJ.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace {
+
+using namespace spline_tests;
+using Mesh = Spline_mesh<double>;
+using Triangles = CGAL::Surface_mesh<Kernel::Point_3>;
+namespace T = CGAL::T_splines;
+
+Mesh::Surface prepared(Mesh& t)
+{
+  CGAL::Random random(1);
+  REQUIRE(t.make_spline_compatible());
+  t.set_random_controls(random);
+  return t.surface();
+}
+
+int euler_characteristic(const Triangles& mesh)
+{
+  return static_cast<int>(num_vertices(mesh)) - static_cast<int>(num_edges(mesh)) + static_cast<int>(num_faces(mesh));
+}
+
+} // namespace
+
+TEST_CASE("triangles cover each face once and share the points of its sides", "[tessellate_T_spline]")
+{
+  for (const auto& surface : closed_surfaces<double>()) {
+    Mesh t(surface.second);
+    const Mesh::Surface spline = prepared(t);
+    for (const int n : {2, 5}) {
+      INFO(surface.first << ", " << n);
+      const auto tessellation = T::tessellate_parameter_domain(spline, n);
+      std::map<std::pair<std::size_t, std::size_t>, int> count; // of each directed side of a triangle
+      for (const auto& triangle : tessellation.triangles)
+        for (int i = 0; i < 3; ++i)
+          ++count[{triangle[i], triangle[(i + 1) % 3]}];
+      bool is_closed = true;
+      for (const auto& [side, number] : count)
+        is_closed = is_closed && number == 1 && count.count({side.second, side.first}) == 1;
+      CHECK(is_closed);
+      for (const auto& place : tessellation.places) {
+        REQUIRE(place.u >= 0);
+        REQUIRE(place.u <= spline.width(place.face));
+        REQUIRE(place.v >= 0);
+        REQUIRE(place.v <= spline.height(place.face));
+      }
+    }
+  }
+}
+
+TEST_CASE("the mesh has the topology of the surface, its points, normals and places", "[tessellate_T_spline]")
+{
+  for (const auto& [faces, characteristic] :
+       {std::pair(test_t_meshes::cube<double>(), 2), std::pair(test_t_meshes::genus_two<double>(), -2),
+        std::pair(test_t_meshes::pillow<double>(), 2), std::pair(test_t_meshes::rectangle<double>(4, 3), 1)}) {
+    Mesh t(faces);
+    const Mesh::Surface spline = prepared(t);
+    Triangles mesh;
+    const auto normals = mesh.add_property_map<Triangles::Vertex_index, Kernel::Vector_3>("v:normal").first;
+    T::tessellate_T_spline(spline, 3, mesh, CGAL::parameters::vertex_normal_map(normals));
+    CHECK(euler_characteristic(mesh) == characteristic);
+    CHECK(CGAL::is_closed(mesh) == (characteristic != 1));
+    CHECK(CGAL::is_triangle_mesh(mesh));
+    Triangles other;
+    const auto places = other.add_property_map<Triangles::Vertex_index, Mesh::Surface::Place>("v:place").first;
+    T::tessellate_T_spline(T::compile_T_spline(spline), 3, other, T::parameters::vertex_place_map(places));
+    for (const auto v : vertices(other)) {
+      const auto place = places[v];
+      CHECK(mesh.point(v) == spline.position(place.face, place.u, place.v));
+      CHECK(normals[v] == spline.unit_normal(place.face, place.u, place.v));
+    }
+  }
+}
+
+TEST_CASE("an OBJ file has the triangles and unit normals, or is not there", "[write_t_spline_obj]")
+{
+  const Temporary_directory directory;
+  Mesh t(test_t_meshes::cube<double>());
+  const Mesh::Surface spline = prepared(t);
+  REQUIRE_FALSE(T::write_t_spline_obj(directory.file("cube.obj"), spline, 4));
+  Triangles mesh;
+  REQUIRE(CGAL::IO::read_OBJ(directory.file("cube.obj"), mesh));
+  CHECK(CGAL::is_closed(mesh));
+  CHECK(euler_characteristic(mesh) == 2);
+  std::ifstream file(directory.file("cube.obj"));
+  std::size_t normals = 0;
+  for (std::string word; file >> word;)
+    if (word == "vn") {
+      double x, y, z;
+      file >> x >> y >> z;
+      CHECK(std::abs(x * x + y * y + z * z - 1) < 1e-12);
+      ++normals;
+    }
+  CHECK(normals == num_vertices(mesh));
+  CHECK(T::write_t_spline_obj(directory.file("no/cube.obj"), spline, 4));
+}

@@ -1,0 +1,239 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
+
+#include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+
+#include "T_mesh/test_t_meshes.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <set>
+#include <string>
+#include <tuple>
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using Rational = CGAL::Exact_rational;
+using Status = CGAL::T_splines::Spline_compatibility_status;
+using CGAL::T_splines::extended_valence;
+using CGAL::T_splines::is_border_vertex;
+using CGAL::T_splines::is_spline_compatible;
+
+template <typename Mesh>
+auto report_of(Mesh& t)
+{
+  return is_spline_compatible(t.mesh, t.knots(), t.corners());
+}
+
+template <typename FT>
+Status status_of(const test_t_meshes::Faces<FT>& faces)
+{
+  test_t_meshes::T_mesh<Surface_mesh, FT> t(faces);
+  return report_of(t).status;
+}
+
+template <typename Mesh>
+bool is_corner_of(Mesh& t, const typename Mesh::face_descriptor f, const typename Mesh::vertex_descriptor v)
+{
+  for (const auto h : CGAL::halfedges_around_face(halfedge(f, t.mesh), t.mesh))
+    if (target(h, t.mesh) == v && get(t.corners(), h))
+      return true;
+  return false;
+}
+
+// The cone of a star.
+template <typename Mesh>
+typename Mesh::vertex_descriptor cone_of(const Mesh& t)
+{
+  return source(t.halfedge_of(0, 0), t.mesh);
+}
+
+// Divides the squares around the cone of a star into nine each: rings with T-joints on their rim.
+template <typename Mesh>
+void divide_inner_squares(Mesh& t, const int sectors, const int n)
+{
+  using FT = typename Mesh::FT;
+  CGAL::T_splines::T_mesh_editor<typename Mesh::TMesh, typename Mesh::Knot_map, typename Mesh::Corner_map> editor(
+      t.mesh, t.knots(), t.corners());
+  for (int s = 0; s < sectors; ++s) {
+    const int square = n * n * s;
+    const FT third = FT(square + 1) / FT(3);
+    std::array<typename Mesh::face_descriptor, 3> column{t.face_list[square]};
+    for (int x = 0; x < 2; ++x)
+      column[x + 1] = face(opposite(editor.split_face(column[x], 0, third).halfedge, t.mesh), t.mesh);
+    for (auto f : column)
+      for (int y = 0; y < 2; ++y)
+        f = face(opposite(editor.split_face(f, 1, third).halfedge, t.mesh), t.mesh);
+  }
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("three rings around a cone, and two more before a border, are enough", "[is_spline_compatible]",
+                   (std::tuple<Surface_mesh, Rational>), (std::tuple<Surface_mesh, double>),
+                   (std::tuple<Polyhedron, double>))
+{
+  using Mesh = test_t_meshes::T_mesh<typename std::tuple_element<0, TestType>::type,
+                                     typename std::tuple_element<1, TestType>::type>;
+  using FT = typename Mesh::FT;
+  for (const int sectors : {3, 5, 7})
+    for (int n = 1; n <= 6; ++n) {
+      INFO(sectors << " sectors, " << n << " rings");
+      Mesh t(test_t_meshes::star<FT>(sectors, n));
+      const auto report = report_of(t);
+      if (n < 3) {
+        CHECK(report.status == Status::IRREGULAR_RINGS);
+        CHECK(report.vertex == cone_of(t));
+        continue;
+      }
+      CHECK(report.status == (n < 5 ? Status::BORDER_IN_RINGS : Status::SPLINE_COMPATIBLE));
+      CHECK(bool(report) == (n >= 5));
+      if (n < 5)
+        CHECK(report.extraordinary_vertex == cone_of(t));
+    }
+}
+
+TEST_CASE("supports on a torus overlap themselves if it has less than four columns or rows", "[is_spline_compatible]")
+{
+  for (int columns = 1; columns <= 5; ++columns)
+    for (int rows = 1; rows <= 5; ++rows) {
+      INFO(columns << " columns, " << rows << " rows");
+      // The lattice of translations is made of (columns, 0) and (1, rows).
+      const bool is_large = columns >= 4 && rows >= 4;
+      CHECK(status_of(test_t_meshes::torus<Rational>(columns, rows)) ==
+            (is_large ? Status::SPLINE_COMPATIBLE : Status::SUPPORT_OVERLAPS_ITSELF));
+    }
+}
+
+TEST_CASE("between two borders there must be three intervals", "[is_spline_compatible]")
+{
+  for (int columns = 1; columns <= 4; ++columns)
+    for (int rows = 1; rows <= 4; ++rows) {
+      INFO(columns << " columns, " << rows << " rows");
+      CHECK(status_of(test_t_meshes::rectangle<double>(columns, rows)) ==
+            (columns >= 3 && rows >= 3 ? Status::SPLINE_COMPATIBLE : Status::TOO_FEW_BORDER_INTERVALS));
+      CHECK(status_of(test_t_meshes::cylinder<double>(columns + 3, rows)) ==
+            (rows >= 3 ? Status::SPLINE_COMPATIBLE : Status::TOO_FEW_BORDER_INTERVALS));
+    }
+}
+
+TEST_CASE("condition A names the vertex and a face of its rings", "[is_spline_compatible]")
+{
+  using Mesh = test_t_meshes::T_mesh<Surface_mesh, Rational>;
+  SECTION("where other cones are too close")
+  {
+    Mesh t(test_t_meshes::cube<Rational>());
+    const auto report = report_of(t);
+    CHECK(report.status == Status::IRREGULAR_RINGS);
+    CHECK(extended_valence(report.vertex, t.mesh, t.corners()) == 3);
+    CHECK(report.face != Surface_mesh::null_face());
+  }
+  SECTION("where a face is not square, or has a T-joint")
+  {
+    const int n = 6;
+    Mesh t(test_t_meshes::star<Rational>(5, n));
+    CGAL::T_splines::T_mesh_editor<Surface_mesh, Mesh::Knot_map, Mesh::Corner_map> editor(t.mesh, t.knots(),
+                                                                                          t.corners());
+    const int x = GENERATE(0, 1, 2, 3), y = GENERATE(0, 1, 2, 3);
+    const Surface_mesh::Face_index f = t.face_list[n * n + n * y + x];
+    REQUIRE(editor.split_face(f, 0, editor.coordinates().width(f) / 2));
+    const auto report = report_of(t);
+    CAPTURE(x, y);
+    // A line behind the rings may only end on their rim.
+    CHECK(report.status == (x < 3 && y < 3 ? Status::IRREGULAR_RINGS : Status::SPLINE_COMPATIBLE));
+    if (!report)
+      CHECK(report.vertex == cone_of(t));
+  }
+  SECTION("where the cone is a T-joint")
+  {
+    Mesh t(test_t_meshes::star_with_t_joint<Rational>(5));
+    const auto report = report_of(t);
+    CHECK(report.status == Status::IRREGULAR_RINGS);
+    CHECK(report.vertex == cone_of(t));
+  }
+}
+
+TEMPLATE_TEST_CASE("condition B names the vertex, the cone and the face", "[is_spline_compatible]", Rational, double)
+{
+  using Mesh = test_t_meshes::T_mesh<Surface_mesh, TestType>;
+  const int sectors = GENERATE(3, 5), n = 5;
+  Mesh t(test_t_meshes::star<TestType>(sectors, n));
+  divide_inner_squares(t, sectors, n);
+  const auto report = report_of(t);
+  CHECK(report.status == Status::SUPPORT_REACHES_CONE);
+  CHECK(report.extraordinary_vertex == cone_of(t));
+  CHECK(is_corner_of(t, report.face, cone_of(t)));
+  // Two squares away on the diagonal, the only one in its sector.
+  std::set<Surface_mesh::Vertex_index> far;
+  for (int s = 0; s < sectors; ++s)
+    far.insert(source(t.halfedge_of(n * n * s + 2 * n + 2, 0), t.mesh));
+  CHECK(far.count(report.vertex) == 1);
+}
+
+TEST_CASE("cones of one or two quarter turns need rings as others do", "[is_spline_compatible]")
+{
+  using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
+  for (const auto& faces : {test_t_meshes::pillow<double>(), test_t_meshes::folded_square<double>()}) {
+    Mesh t(faces);
+    const auto report = report_of(t);
+    CHECK(report.status == Status::IRREGULAR_RINGS);
+    CHECK(extended_valence(report.vertex, t.mesh, t.corners()) <= 2);
+  }
+}
+
+TEST_CASE("a border that turns inwards is not supported", "[is_spline_compatible]")
+{
+  test_t_meshes::T_mesh<Surface_mesh, double> t(
+      test_t_meshes::squares<double>({{0, 1, 2, 3}, {4, 5, 6, 1}, {2, 7, 8, 9}}));
+  const auto report = report_of(t);
+  CHECK(report.status == Status::UNSUPPORTED_BORDER_VERTEX);
+  CHECK(extended_valence(report.vertex, t.mesh, t.corners()) == 3);
+}
+
+TEST_CASE("a border that meets itself is not supported", "[is_spline_compatible]")
+{
+  using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
+  // Two squares, of which a corner each becomes one vertex.
+  Mesh t(test_t_meshes::squares<double>({{0, 1, 2, 3}, {4, 5, 6, 7}}));
+  const auto into = [&](const std::size_t f) { return opposite(t.halfedge_of(f, 0), t.mesh); };
+  const auto a = into(0), b = into(1), after_a = next(a, t.mesh), after_b = next(b, t.mesh);
+  const auto v = target(a, t.mesh), w = target(b, t.mesh);
+  set_target(b, v, t.mesh);
+  set_target(opposite(after_b, t.mesh), v, t.mesh);
+  set_next(a, after_b, t.mesh);
+  set_next(b, after_a, t.mesh);
+  remove_vertex(w, t.mesh);
+  const auto report = report_of(t);
+  CHECK(report.status == Status::TOUCHING_BORDERS);
+  CHECK(report.vertex == v);
+}
+
+TEST_CASE("inadmissible knots are told first", "[is_spline_compatible]")
+{
+  test_t_meshes::T_mesh<Surface_mesh, double> t(test_t_meshes::pillow<double>());
+  put(t.knots(), t.halfedge_of(1, 2), 1.);
+  const auto report = report_of(t);
+  CHECK(report.status == Status::INADMISSIBLE);
+  CHECK(report.admissibility.status == CGAL::T_splines::Admissibility_status::OPPOSITE_SIDES_DIFFER);
+  CHECK(report.face == t.face_list[1]);
+}
+
+TEST_CASE("each status has a message", "[is_spline_compatible]")
+{
+  std::set<std::string> messages;
+  for (int i = 0; i <= static_cast<int>(Status::SUPPORT_OVERLAPS_ITSELF); ++i)
+    messages.insert(message(static_cast<Status>(i)));
+  CHECK(messages.size() == 9);
+  CHECK(messages.count("") == 0);
+}

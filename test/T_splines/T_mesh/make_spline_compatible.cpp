@@ -1,0 +1,355 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
+
+#include <CGAL/T_splines/IO/read_t_mesh.h>
+#include <CGAL/T_splines/T_mesh/Carried_points.h>
+#include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
+#include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
+#include <CGAL/T_splines/T_mesh/Surface_face_size.h>
+
+#include "T_mesh/Development.h"
+#include "T_mesh/Traced_map.h"
+#include "T_mesh/test_t_meshes.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using Rational = CGAL::Exact_rational;
+using Status = CGAL::T_splines::Spline_compatibility_status;
+using CGAL::T_splines::is_admissible;
+using CGAL::T_splines::is_spline_compatible;
+using CGAL::T_splines::make_spline_compatible;
+using test_t_meshes::Faces;
+
+template <typename Mesh>
+struct Numbers {
+  std::size_t vertices = 0, faces = 0, edges = 0;
+  std::map<int, int> cones; // valence -> how many
+
+  int euler_characteristic() const
+  {
+    return static_cast<int>(vertices) - static_cast<int>(edges) + static_cast<int>(faces);
+  }
+};
+
+template <typename TMesh, typename Corners>
+Numbers<TMesh> numbers_of(const TMesh& mesh, const Corners corners)
+{
+  Numbers<TMesh> result;
+  for (const auto v : CGAL::make_range(vertices(mesh))) {
+    ++result.vertices;
+    if (CGAL::T_splines::is_extraordinary(v, mesh, corners))
+      ++result.cones[CGAL::T_splines::extended_valence(v, mesh, corners)];
+  }
+  const auto e = edges(mesh);
+  const auto f = faces(mesh);
+  result.edges = std::distance(e.begin(), e.end());
+  result.faces = std::distance(f.begin(), f.end());
+  return result;
+}
+
+// Makes a T-mesh spline compatible and checks what must hold then.
+template <typename TMesh, typename Knots, typename Corners, typename Visitor = CGAL::T_splines::T_mesh_visitor>
+CGAL::T_splines::Spline_refinement_report<TMesh> make_and_check(TMesh& mesh, const Knots knots, const Corners corners,
+                                                                const Visitor& visitor = Visitor())
+{
+  const auto before = numbers_of(mesh, corners);
+  const auto report = make_spline_compatible(mesh, knots, corners, CGAL::parameters::visitor(visitor));
+  const auto after = numbers_of(mesh, corners);
+  INFO(message(report.status));
+  CHECK(report.success());
+  CHECK(is_admissible(mesh, knots, corners));
+  CHECK(is_spline_compatible(mesh, knots, corners));
+  CHECK(after.cones == before.cones);
+  CHECK(after.euler_characteristic() == before.euler_characteristic());
+  CHECK(report.vertices_before == before.vertices);
+  CHECK(report.vertices_after == after.vertices);
+  CHECK(report.faces_before == before.faces);
+  CHECK(report.faces_after == after.faces);
+  CHECK(report.faces_after == report.faces_before + report.splits_for_rings + report.splits_at_border +
+                                  report.splits_of_reaching_supports + report.splits_of_overlapping_supports);
+  CHECK_FALSE(report.is_limit_reached);
+  // Once more, nothing changes.
+  CHECK(make_spline_compatible(mesh, knots, corners).faces_after == after.faces);
+  return report;
+}
+
+template <typename FT>
+std::vector<Faces<FT>> catalogue()
+{
+  const FT half = FT(1) / FT(2);
+  return {test_t_meshes::cube<FT>(),
+          test_t_meshes::torus<FT>(1, 1),
+          test_t_meshes::torus<FT>(3, 2),
+          test_t_meshes::genus_two<FT>(),
+          test_t_meshes::pinwheel<FT>(FT(3) * half),
+          test_t_meshes::pinwheel<FT>(FT(9) / FT(8)),
+          test_t_meshes::rectangle<FT>(2, 1),
+          test_t_meshes::rectangle<FT>(1, 7),
+          test_t_meshes::cylinder<FT>(1, 1),
+          test_t_meshes::cylinder<FT>(7, 2),
+          test_t_meshes::star<FT>(3, 1),
+          test_t_meshes::star<FT>(5, 3),
+          test_t_meshes::star<FT>(9, 4),
+          test_t_meshes::star_with_t_joint<FT>(3),
+          test_t_meshes::star_with_t_joint<FT>(6)};
+}
+
+// A T-mesh of squares with points that know where in the plane they are.
+template <typename TMesh>
+class Scene {
+public:
+  using Mesh = test_t_meshes::T_mesh<TMesh, Rational>;
+  using Point = std::pair<Rational, Rational>;
+  using Development = test_t_meshes::Development<TMesh, Rational>;
+  using Points = CGAL::T_splines::Carried_points<TMesh, Rational, Point>;
+  using Similarity = CGAL::T_splines::Similarity_2<Rational>;
+  using Coordinates = CGAL::T_splines::T_mesh_coordinates<TMesh, typename Mesh::Knot_map, typename Mesh::Corner_map>;
+
+  // Square number i has the unit i + 1.
+  explicit Scene(const Faces<Rational>& faces) : mesh(faces)
+  {
+    const Coordinates coordinates(mesh.mesh, mesh.knots(), mesh.corners());
+    const int n = 7;
+    for (std::size_t s = 0; s < mesh.face_list.size(); ++s) {
+      const auto f = mesh.face_list[s];
+      development.set(f, Similarity(0, Rational(1) / Rational(static_cast<int>(s) + 1), Rational(0), Rational(0)));
+      for (int i = 0; i <= n; ++i)
+        for (int j = 0; j <= n; ++j) {
+          const Rational u = coordinates.width(f) * i / n, v = coordinates.height(f) * j / n;
+          points.add(f, u, v, development.of(f)(u, v));
+          ++number_of_points;
+        }
+    }
+  }
+
+  auto visitor()
+  {
+    using Visitor = CGAL::T_splines::T_mesh_visitor_pair<typename Development::Visitor, typename Points::Visitor>;
+    return Visitor(development.visitor(), points.visitor());
+  }
+
+  bool points_stay()
+  {
+    const Coordinates coordinates(mesh.mesh, mesh.knots(), mesh.corners());
+    const test_t_meshes::Lattice_group lattice;
+    std::size_t count = 0;
+    for (const auto f : faces(mesh.mesh))
+      for (const auto& p : points.points(f)) {
+        ++count;
+        if (p.u < 0 || p.u > coordinates.width(f) || p.v < 0 || p.v > coordinates.height(f) ||
+            !lattice.are_equivalent(development.of(f)(p.u, p.v), p.payload))
+          return false;
+      }
+    return count == number_of_points && development.is_consistent(coordinates, lattice);
+  }
+
+  Mesh mesh;
+  Development development;
+  Points points;
+  std::size_t number_of_points = 0;
+};
+
+// The T-meshes of files.
+struct Read_t_mesh {
+  Surface_mesh mesh;
+  Surface_mesh::Property_map<Surface_mesh::Halfedge_index, double> knots =
+      mesh.add_property_map<Surface_mesh::Halfedge_index, double>("h:knot").first;
+  Surface_mesh::Property_map<Surface_mesh::Halfedge_index, bool> corners =
+      mesh.add_property_map<Surface_mesh::Halfedge_index, bool>("h:corner").first;
+
+  explicit Read_t_mesh(const std::string& name)
+  {
+    const std::string file = std::string(T_SPLINES_TEST_DATA) + "/good_t_meshes/" + name;
+    REQUIRE(CGAL::T_splines::read_t_mesh(file, mesh, knots, corners).success());
+  }
+};
+
+} // namespace
+
+TEMPLATE_TEST_CASE("T-meshes become spline compatible", "[make_spline_compatible]",
+                   (std::tuple<Surface_mesh, Rational>), (std::tuple<Surface_mesh, double>),
+                   (std::tuple<Polyhedron, double>))
+{
+  using FT = typename std::tuple_element<1, TestType>::type;
+  using Mesh = test_t_meshes::T_mesh<typename std::tuple_element<0, TestType>::type, FT>;
+  int i = 0;
+  for (const Faces<FT>& faces : catalogue<FT>()) {
+    INFO("T-mesh " << i++);
+    Mesh t(faces);
+    make_and_check(t.mesh, t.knots(), t.corners());
+  }
+}
+
+TEST_CASE("refined T-meshes become spline compatible", "[make_spline_compatible]")
+{
+  using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
+  using Coordinates = CGAL::T_splines::T_mesh_coordinates<Surface_mesh, Mesh::Knot_map, Mesh::Corner_map>;
+  const std::size_t splits = GENERATE(1, 3, 5, 30, 100, 500);
+  int i = 0;
+  for (const Faces<double>& faces : catalogue<double>()) {
+    INFO("T-mesh " << i++);
+    Mesh t(faces);
+    const Coordinates coordinates(t.mesh, t.knots(), t.corners());
+    const CGAL::T_splines::Parametric_face_size<Surface_mesh, Mesh::Knot_map, Mesh::Corner_map> size(coordinates);
+    refine_T_mesh(t.mesh, t.knots(), t.corners(), size, 0.01, CGAL::parameters::number_of_iterations(splits));
+    make_and_check(t.mesh, t.knots(), t.corners());
+  }
+}
+
+TEST_CASE("T-meshes of files become spline compatible", "[make_spline_compatible]")
+{
+  for (const char* name : {"torus_of_one_face.ply", "scaled_torus.ply", "cube.ply"}) {
+    INFO(name);
+    Read_t_mesh t(name);
+    make_and_check(t.mesh, t.knots, t.corners);
+  }
+}
+
+TEST_CASE("motorcycle graphs become spline compatible", "[make_spline_compatible]")
+{
+  using namespace hand_made_maps;
+  int i = 0;
+  using Traced = Traced_map<CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>,
+                            Surface_mesh, Rational>;
+  for (const Plain_map& map : {folded(net(polycube({{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}}), 2, Pattern::CROSSES)),
+                               folded(net(translation_surface(), 3, Pattern::MIXED_DIAGONALS)),
+                               folded(folded_triangle({{1, 0.25}}, {{0.375, 1}})),
+                               folded(scaled_torus(1.5, 4, 0, 4, 4)), folded(scaled_torus(2, 5, 1, 4, 2))}) {
+    INFO("surface " << i++);
+    Traced traced(map);
+    REQUIRE(traced.success());
+    const auto knots = boost::make_assoc_property_map(traced.knots);
+    const auto corners = boost::make_assoc_property_map(traced.corners);
+    make_and_check(traced.t_mesh, knots, corners);
+  }
+}
+
+TEMPLATE_TEST_CASE("points stay where they are on the surface", "[make_spline_compatible]", Surface_mesh, Polyhedron)
+{
+  for (const auto& faces : {test_t_meshes::cube<Rational>(), test_t_meshes::torus<Rational>(2, 1),
+                            test_t_meshes::genus_two<Rational>(), test_t_meshes::star<Rational>(5, 1)}) {
+    Scene<TestType> scene(faces);
+    make_and_check(scene.mesh.mesh, scene.mesh.knots(), scene.mesh.corners(), scene.visitor());
+    CHECK(scene.points_stay());
+  }
+}
+
+TEST_CASE("no more is inserted than needed", "[make_spline_compatible]")
+{
+  using Mesh = test_t_meshes::T_mesh<Surface_mesh, Rational>;
+  SECTION("nothing, where all is well")
+  {
+    for (const auto& faces : {test_t_meshes::torus<Rational>(4, 5), test_t_meshes::rectangle<Rational>(3, 4),
+                              test_t_meshes::star<Rational>(5, 5)}) {
+      Mesh t(faces);
+      CHECK(make_and_check(t.mesh, t.knots(), t.corners()).faces_after == faces.size());
+    }
+  }
+  SECTION("a rectangle needs three rows and columns")
+  {
+    Mesh t(test_t_meshes::rectangle<Rational>(1, 1));
+    const auto report = make_and_check(t.mesh, t.knots(), t.corners());
+    CHECK(report.faces_after == 9);
+    CHECK(report.splits_at_border == 8);
+  }
+  SECTION("a torus needs four rows and columns")
+  {
+    Mesh t(test_t_meshes::torus<Rational>(1, 1));
+    CHECK(make_and_check(t.mesh, t.knots(), t.corners()).faces_after <= 32); // where lines end, more
+  }
+  SECTION("on a cube, rings meet in the middle of edges")
+  {
+    Mesh t(test_t_meshes::cube<Rational>());
+    const auto report = make_and_check(t.mesh, t.knots(), t.corners());
+    CHECK(report.faces_after == 6 * 36);
+    CHECK(report.vertices_in_rings == report.vertices_after - 6); // but for the middle of each side
+    CHECK(report.extraordinary_vertices == 8);
+  }
+}
+
+TEST_CASE("rings are not much smaller than the edges allow", "[make_spline_compatible]")
+{
+  using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
+  // Two sides of a face have the lengths 1 and x, the cone is at the corner between them.
+  const double x = GENERATE(1., 1.1, 1.5, 4., 20.);
+  Faces<double> faces = test_t_meshes::star<double>(5, 1);
+  for (std::size_t s = 0; s < 5; ++s)
+    test_t_meshes::rescale(faces[s], 1. / (s + 1.));
+  for (const int side : {0, 2}) // spoke 1 is longer
+    faces[1][side].knot = x;
+  for (const int side : {1, 3})
+    faces[0][side].knot = x;
+  Mesh t(faces);
+  const auto cone = source(t.halfedge_of(0, 0), t.mesh);
+  make_and_check(t.mesh, t.knots(), t.corners());
+  for (const auto h : CGAL::halfedges_around_target(halfedge(cone, t.mesh), t.mesh)) {
+    CHECK(get(t.knots(), h) <= 1 / 3.);
+    CHECK(get(t.knots(), h) >= 0.75 / 4.5); // a border is at the ends
+  }
+}
+
+TEST_CASE("cones of one or two quarter turns get rings", "[make_spline_compatible]")
+{
+  using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
+  for (const auto& faces : {test_t_meshes::pillow<double>(), test_t_meshes::folded_square<double>()}) {
+    Mesh t(faces);
+    make_and_check(t.mesh, t.knots(), t.corners());
+  }
+}
+
+TEST_CASE("what cannot be helped is left as it is", "[make_spline_compatible]")
+{
+  using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
+  const auto refused = [](Mesh& t) {
+    const auto before = numbers_of(t.mesh, t.corners());
+    const auto report = make_spline_compatible(t.mesh, t.knots(), t.corners());
+    const auto expected = is_spline_compatible(t.mesh, t.knots(), t.corners());
+    CHECK(report.status == expected.status);
+    CHECK(report.vertex == expected.vertex);
+    CHECK(report.face == expected.face);
+    const auto after = numbers_of(t.mesh, t.corners());
+    CHECK(before.vertices == after.vertices);
+    CHECK(before.faces == after.faces);
+    return report.status;
+  };
+  Mesh corner(test_t_meshes::squares<double>({{0, 1, 2, 3}, {4, 5, 6, 1}, {2, 7, 8, 9}}));
+  CHECK(refused(corner) == Status::UNSUPPORTED_BORDER_VERTEX);
+  Mesh cube(test_t_meshes::cube<double>());
+  put(cube.knots(), cube.halfedge_of(0, 0), std::numeric_limits<double>::quiet_NaN());
+  CHECK(refused(cube) == Status::INADMISSIBLE);
+}
+
+TEST_CASE("the number of splits is bounded on demand", "[make_spline_compatible]")
+{
+  using Mesh = test_t_meshes::T_mesh<Surface_mesh, Rational>;
+  Mesh full(test_t_meshes::cube<Rational>());
+  const std::size_t needed = make_spline_compatible(full.mesh, full.knots(), full.corners()).faces_after - 6;
+  for (const std::size_t limit : {std::size_t(0), std::size_t(5), needed - 1, needed}) {
+    Mesh t(test_t_meshes::cube<Rational>());
+    const auto report =
+        make_spline_compatible(t.mesh, t.knots(), t.corners(), CGAL::parameters::number_of_iterations(limit));
+    CHECK(report.faces_after == 6 + limit);
+    CHECK(report.success() == (limit == needed));
+    CHECK(report.is_limit_reached == (limit < needed));
+    CHECK(is_admissible(t.mesh, t.knots(), t.corners()));
+  }
+}
