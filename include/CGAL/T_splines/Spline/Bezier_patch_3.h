@@ -58,39 +58,43 @@ public:
   {
     const std::array<std::array<FT, 4>, 3> a = bernstein<Order>(s), b = bernstein<Order>(t);
     std::array<Homogeneous, 6> result;
-    constexpr int number = Order == 0 ? 1 : Order == 1 ? 3 : 6;
-    for (int k = 0; k < number; ++k)
-      result[k] = {FT(0), FT(0), FT(0), FT(0)};
     for (int j = 0; j < 4; ++j) {
       std::array<Homogeneous, Order + 1> row;
-      for (int d = 0; d <= Order; ++d) {
-        row[d] = scaled(m_controls[4 * j], a[d][0]);
-        for (int i = 1; i < 4; ++i)
-          add(row[d], m_controls[4 * j + i], a[d][i]);
-      }
-      add(result[0], row[0], b[0][j]);
+      for (int d = 0; d <= Order; ++d)
+        row[d] = combination(m_controls.data() + 4 * j, a[d]);
+      const bool is_first = j == 0;
+      add(is_first, result[0], row[0], b[0][j]);
       if constexpr (Order > 0) {
-        add(result[1], row[1], b[0][j]);
-        add(result[2], row[0], b[1][j]);
+        add(is_first, result[1], row[1], b[0][j]);
+        add(is_first, result[2], row[0], b[1][j]);
       }
       if constexpr (Order > 1) {
-        add(result[3], row[2], b[0][j]);
-        add(result[4], row[1], b[1][j]);
-        add(result[5], row[0], b[2][j]);
+        add(is_first, result[3], row[2], b[0][j]);
+        add(is_first, result[4], row[1], b[1][j]);
+        add(is_first, result[5], row[0], b[2][j]);
       }
     }
     return result;
   }
 
 private:
-  static Homogeneous scaled(const Homogeneous& h, const FT& x)
+  static Homogeneous combination(const Homogeneous* const h, const std::array<FT, 4>& x)
   {
-    return {FT(x * h[0]), FT(x * h[1]), FT(x * h[2]), FT(x * h[3])};
-  }
-  static void add(Homogeneous& sum, const Homogeneous& h, const FT& x)
-  {
+    Homogeneous sum;
     for (int k = 0; k < 4; ++k)
-      sum[k] += x * h[k];
+      sum[k] = x[0] * h[0][k] + x[1] * h[1][k] + (x[2] * h[2][k] + x[3] * h[3][k]);
+    return sum;
+  }
+
+  // Adds to the sum, or begins it.
+  static void add(const bool is_first, Homogeneous& sum, const Homogeneous& h, const FT& x)
+  {
+    for (int k = 0; k < 4; ++k) {
+      if (is_first)
+        sum[k] = x * h[k];
+      else
+        sum[k] += x * h[k];
+    }
   }
 
   // The cubic Bernstein polynomials and their derivatives up to `Order`.
