@@ -48,14 +48,15 @@ struct Surface_projection {
 /// that shrink to the vertex, down to round-off. In a patch, bounds by Bernstein coefficients of the squared distance
 /// exclude parts or prove that they have a single minimum, which is found by Newton's method.
 ///
-/// Accuracy, for coordinates and distances of size 1 and with eps the distance from 1 to the next number: no other point is
-/// closer by more than about 100 eps. The difference to the given point is normal to the surface, or on a border points
-/// outwards, up to about 100 eps; the place of the closest point is as accurate as that divided by 1 - distance *
-/// curvature. At a center of curvature, where that is 0, it is not determined. Limits: (1) Parts smaller than 2^-12 of a
-/// patch are not divided further, nor are more than 2^14 parts of a patch looked at; of minima that are not told apart by
-/// then, one is returned. Their distances differ by the fourth power of the size. (2) `u` and `v` round off as numbers
-/// of the size of their face. Next to an extraordinary vertex, where a distance r in the face is one of about r^p on the
-/// surface, 0.61 < p < 1.3, unless it is at (0, 0) `point` is more accurate than the surface at (u, v).
+/// Accuracy, for coordinates and distances of size 1 and with eps the distance from 1 to the next number: no other
+/// point is closer by more than about 100 eps. The difference to the given point is normal to the surface, or on a
+/// border points outwards, up to about 100 eps; the place of the closest point is as accurate as that divided by 1 -
+/// distance * curvature. At a center of curvature, where that is 0, it is not determined. Limits: (1) Parts smaller
+/// than 2^-12 of a patch are not divided further, nor are more than 2^14 parts of a patch looked at; of minima that are
+/// not told apart by then, one is returned. Their distances differ by the fourth power of the size. (2) `u` and `v`
+/// round off as numbers of the size of their face. Next to an extraordinary vertex, where a distance r in the face is
+/// one of about r^p on the surface, 0.61 < p < 1.3, unless it is at (0, 0) `point` is more accurate than the surface at
+/// (u, v).
 ///
 /// Given a `Compiled_T_spline`, its patches are searched, with the caps as they are.
 ///
@@ -113,19 +114,20 @@ public:
         m_size = (std::max)({m_size, std::abs(box.low[k]), std::abs(box.high[k])});
   }
 
-  /// returns the closest point of the surface; if there are more, one of them, and its place in one of the faces that meet there.
+  /// returns the closest point of the surface; if there are more, one of them, and its place in one of the faces that
+  /// meet there.
   ///
   /// Complexity: for points near the surface about logarithmic in the number of patches, otherwise also linear in the
-  /// number of patches whose boxes are as close as the closest point; slowest where that is an extraordinary vertex, as all
-  /// rings about it are looked at. \pre the coordinates of `p` are finite
+  /// number of patches whose boxes are as close as the closest point; slowest where that is an extraordinary vertex, as
+  /// all rings about it are looked at. \pre the coordinates of `p` are finite
   Projection operator()(const Point_3& p) const
   {
     Search search(noise(p));
     return projection(p, search);
   }
 
-  /// returns the same; faster, if the place `hint` (`T_mesh_place`, `Surface_projection` or what has `face`, `u` and `v`) is
-  /// near the closest point. \pre as above, and (u, v) is in the face
+  /// returns the same; faster, if the place `hint` (`T_mesh_place`, `Surface_projection` or what has `face`, `u` and
+  /// `v`) is near the closest point. \pre as above, and (u, v) is in the face
   template <typename Place>
   Projection operator()(const Point_3& p, const Place& hint) const
   {

@@ -70,7 +70,8 @@ public:
       add_node(boxes, items, 0, items.size());
   }
 
-  /// Calls `visit(item)` for the items whose boxes are closer to a point than a radius, the closer half of a node first.
+  /// Calls `visit(item)` for the items whose boxes are closer to a point than a radius, the closer half of a node
+  /// first.
   /// \param squared_radius returns the squared radius; it may shrink with each visit
   template <typename SquaredRadius, typename Visit>
   void for_each_closer(const Point& p, const SquaredRadius& squared_radius, const Visit& visit) const

@@ -25,16 +25,16 @@ using Patch_sides = unsigned char;
 
 /// Finds the point closest to a given one, patch by patch; it knows what was found so far.
 ///
-/// Where a plane keeps the control points of a patch away, the patch is skipped: N - W p is in their convex hull whatever
-/// the weights are. On a part of a patch, the squared distance form F is looked at. (1) Where its coefficients exceed 0, nothing is
-/// closer. (2) Where it is monotone in a parameter, no point is stationary; a closest point lies on a side where the
-/// surface ends, or not in this part. This holds because the surface is C1 across the other sides. (3) Where it is
-/// convex, Newton's method with bounds finds its one minimum. Else the part is halved. Around a minimum with a positive
-/// Hessian (3) applies to all parts that are small enough, so that the parts are few.
+/// Where a plane keeps the control points of a patch away, the patch is skipped: N - W p is in their convex hull
+/// whatever the weights are. On a part of a patch, the squared distance form F is looked at. (1) Where its coefficients
+/// exceed 0, nothing is closer. (2) Where it is monotone in a parameter, no point is stationary; a closest point lies
+/// on a side where the surface ends, or not in this part. This holds because the surface is C1 across the other sides.
+/// (3) Where it is convex, Newton's method with bounds finds its one minimum. Else the part is halved. Around a minimum
+/// with a positive Hessian (3) applies to all parts that are small enough, so that the parts are few.
 ///
-/// Three candidates are kept. The closest stationary point is the result. An extraordinary vertex, or other points, such as
-/// corners of patches and minima on the sides of parts, only bound its distance; they become the result if no stationary
-/// point is as close, up to round-off. The last ones do so only at minima with a singular Hessian.
+/// Three candidates are kept. The closest stationary point is the result. An extraordinary vertex, or other points,
+/// such as corners of patches and minima on the sides of parts, only bound its distance; they become the result if no
+/// stationary point is as close, up to round-off. The last ones do so only at minima with a singular Hessian.
 template <typename Kernel>
 class Closest_point_search {
 public:
