@@ -23,7 +23,7 @@ namespace CGAL {
 namespace T_splines {
 
 /// What `make_spline_compatible()` did. If it did not succeed, `status` tells what is still wrong; the numbers are
-/// always set but for INADMISSIBLE.
+/// always set but for INADMISSIBLE, and `vertices_in_rings` only upon success.
 /// \tparam TMesh a model of `FaceGraph`
 template <typename TMesh>
 struct Spline_refinement_report : Spline_compatibility_report<TMesh> {
@@ -99,7 +99,7 @@ void count_elements(const TMesh& t_mesh, const HalfedgeKnotMap knots, const Half
 /// - Where a support overlaps itself, a face is split across the axis along which it does.
 ///
 /// Edges are only inserted, by `T_mesh_editor`, each through one face; no line is extended farther than a condition
-/// asks.
+/// asks. New vertices have no point and no weight: a visitor, or `place_T_mesh()` afterwards, gives them one.
 /// \tparam TMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`; it may be non-simple
 /// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_mesh_editor`
 /// \param t_mesh, knots, corners the T-mesh

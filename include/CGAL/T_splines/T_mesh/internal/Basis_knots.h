@@ -74,7 +74,8 @@ class Basis_knots_finder {
   using Arrays = T_mesh_arrays<FT>;
 
 public:
-  /// \param valence per vertex, its extended valence
+  /// \param is_extraordinary per vertex: rays end there
+  /// \param has_border whether rays must look one intersection farther
   Basis_knots_finder(const Arrays& t_mesh, const std::vector<char>& is_extraordinary, const bool has_border)
     : m_tracer(t_mesh, is_extraordinary, has_border)
   {

@@ -53,7 +53,7 @@ public:
   explicit Spline_compatibility_repair(Splits& splits) : m_splits(splits) {}
 
   /// Goes on until nothing is left to be done, nothing can be done, or no more splits are allowed.
-  /// \pre the T-mesh is admissible, all valences are supported
+  /// \pre the T-mesh is admissible, its border is as it must be
   /// \return whether all conditions hold
   bool run()
   {
