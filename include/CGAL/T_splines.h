@@ -7,6 +7,7 @@
 /// \file
 /// The whole package: every public header.
 
+#include <CGAL/T_splines/Cross_field/Cone_reduction_report.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
 #include <CGAL/T_splines/Cross_field/IO/Field_file_report.h>
@@ -23,6 +24,7 @@
 #include <CGAL/T_splines/Cross_field/compute_smooth_cross_field.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
+#include <CGAL/T_splines/Cross_field/reduce_cones.h>
 #include <CGAL/T_splines/IO/Mesh_reading_report.h>
 #include <CGAL/T_splines/IO/T_mesh_reading_report.h>
 #include <CGAL/T_splines/IO/read_map_obj.h>
@@ -47,16 +49,23 @@
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
 #include <CGAL/T_splines/Solver/default_solver.h>
 #include <CGAL/T_splines/Solver/preconditioned_conjugate_gradients.h>
+#include <CGAL/T_splines/Spline/Adaptive_fit_report.h>
 #include <CGAL/T_splines/Spline/Bezier_patch_3.h>
 #include <CGAL/T_splines/Spline/Compiled_T_spline.h>
 #include <CGAL/T_splines/Spline/Control_point_map.h>
 #include <CGAL/T_splines/Spline/Knot_insertion_report.h>
+#include <CGAL/T_splines/Spline/Mesh_distance.h>
 #include <CGAL/T_splines/Spline/Surface_jet.h>
 #include <CGAL/T_splines/Spline/T_spline_report.h>
 #include <CGAL/T_splines/Spline/T_spline_surface.h>
 #include <CGAL/T_splines/Spline/T_spline_closest_point.h>
+#include <CGAL/T_splines/Spline/T_spline_deviation_report.h>
+#include <CGAL/T_splines/Spline/T_spline_fit_report.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
+#include <CGAL/T_splines/Spline/fit_T_spline.h>
+#include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>
 #include <CGAL/T_splines/Spline/insert_knot_line.h>
+#include <CGAL/T_splines/Spline/measure_T_spline_deviation.h>
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
 #include <CGAL/T_splines/T_mesh/Admissibility_report.h>
 #include <CGAL/T_splines/T_mesh/Carried_points.h>
@@ -68,6 +77,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_roots.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_sample.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/Tracing_traits.h>
 #include <CGAL/T_splines/T_mesh/is_admissible.h>
@@ -76,6 +86,7 @@
 #include <CGAL/T_splines/T_mesh/place_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
+#include <CGAL/T_splines/T_mesh/sample_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/trace_motorcycle_graph.h>
 #include <CGAL/T_splines/named_parameters.h>
 

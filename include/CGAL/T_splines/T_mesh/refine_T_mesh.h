@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
+#include <CGAL/T_splines/T_mesh/internal/Split_position.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -62,9 +63,7 @@ namespace internal {
 // Splits faces at their longer side, largest first.
 template <typename Editor, typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename FaceSize>
 class T_mesh_refinement {
-  using halfedge_descriptor = typename Editor::halfedge_descriptor;
   using face_descriptor = typename Editor::face_descriptor;
-  using FT = typename Editor::FT;
 
   struct Entry {
     double size; // of the longer side
@@ -83,8 +82,7 @@ public:
                     const FaceSize& face_size)
     : m_editor(editor),
       m_t_mesh(t_mesh),
-      m_knots(knots),
-      m_corners(corners),
+      m_split_position(t_mesh, knots, corners),
       m_face_size(face_size)
   {
   }
@@ -102,7 +100,7 @@ public:
         return report;
       }
       m_queue.pop();
-      const auto edit = m_editor.split_face(entry.f, entry.axis, split_position(entry.f, entry.axis));
+      const auto edit = m_editor.split_face(entry.f, entry.axis, m_split_position(entry.f, entry.axis));
       CGAL_assertion(bool(edit));
       ++report.splits;
       push(face(edit.halfedge, m_t_mesh), target, report);
@@ -125,66 +123,9 @@ private:
       m_queue.push({longer, size.first >= size.second ? 0 : 1, m_number++, f});
   }
 
-  // A vertex in the middle third of the two sides that are cut, or the middle itself. A new knot so keeps a distance
-  // of a sixth of the face from the old ones.
-  FT split_position(const face_descriptor f, const int axis) const
-  {
-    const auto& coordinates = m_editor.coordinates();
-    const halfedge_descriptor first = coordinates.first_of_side(f, axis);
-    const FT size = coordinates.side_length(first), middle = size / FT(2);
-    FT best = middle, best_distance = size / FT(6);
-    bool is_best_met_twice = false;
-    const std::vector<FT> near = inner_knots(first), far = inner_knots(coordinates.first_of_side(f, axis + 2));
-    const auto consider = [&](const FT& x, const bool is_met_twice) {
-      const FT distance = CGAL::abs(FT(x - middle));
-      if (distance > size / FT(6) || (is_best_met_twice && !is_met_twice))
-        return;
-      if (distance < best_distance || (is_met_twice && !is_best_met_twice)) {
-        best = x;
-        best_distance = distance;
-        is_best_met_twice = is_met_twice;
-      }
-    };
-    // Both lists are merged; the far side runs backwards.
-    std::size_t i = 0, j = far.size();
-    while (i < near.size() || j > 0) {
-      const bool has_near = i<near.size(), has_far = j> 0;
-      const FT x = has_near ? near[i] : size, y = has_far ? FT(size - far[j - 1]) : size;
-      const bool is_met_twice = has_near && has_far && CGAL::abs(FT(x - y)) <= tolerance(size);
-      consider((std::min)(x, y), is_met_twice);
-      if (has_near && (is_met_twice || !has_far || x < y))
-        ++i;
-      if (has_far && (is_met_twice || !has_near || !(x < y)))
-        --j;
-    }
-    return best;
-  }
-
-  static FT tolerance(const FT& size)
-  {
-    if constexpr (is_exact_number_type<FT>)
-      return FT(0);
-    else
-      return size * FT(1e-11);
-  }
-
-  // Distances of the vertices on a side, corners excepted, from its beginning.
-  std::vector<FT> inner_knots(halfedge_descriptor h) const
-  {
-    std::vector<FT> result;
-    FT distance(0);
-    while (!get(m_corners, h)) {
-      distance += get(m_knots, h);
-      result.push_back(distance);
-      h = next(h, m_t_mesh);
-    }
-    return result;
-  }
-
   Editor& m_editor;
   const TMesh& m_t_mesh;
-  HalfedgeKnotMap m_knots;
-  HalfedgeCornerMap m_corners;
+  Split_position<TMesh, HalfedgeKnotMap, HalfedgeCornerMap> m_split_position;
   const FaceSize& m_face_size;
   std::priority_queue<Entry> m_queue;
   std::size_t m_number = 0;

@@ -11,6 +11,8 @@ CGAL_T_SPLINES_NAMED_PARAMETER(loop_turning_numbers)
 CGAL_T_SPLINES_NAMED_PARAMETER(curvature_alignment)
 CGAL_T_SPLINES_NAMED_PARAMETER(border_is_allowed)
 CGAL_T_SPLINES_NAMED_PARAMETER(halfedge_matching_map)
+CGAL_T_SPLINES_NAMED_PARAMETER(maximum_energy_change)
+CGAL_T_SPLINES_NAMED_PARAMETER(maximum_number_of_cones)
 
 // Similarity_map
 CGAL_T_SPLINES_NAMED_PARAMETER(residual_tolerance)
@@ -29,9 +31,14 @@ CGAL_T_SPLINES_NAMED_PARAMETER(vertex_place_map)
 CGAL_T_SPLINES_NAMED_PARAMETER(face_anchor_map)
 CGAL_T_SPLINES_NAMED_PARAMETER(edge_polyline_map)
 CGAL_T_SPLINES_NAMED_PARAMETER(relative_tolerance)
+CGAL_T_SPLINES_NAMED_PARAMETER(number_of_samples)
 
 // Spline
 CGAL_T_SPLINES_NAMED_PARAMETER(number_of_rings)
+CGAL_T_SPLINES_NAMED_PARAMETER(fairness)
+CGAL_T_SPLINES_NAMED_PARAMETER(maximum_number_of_control_points)
+CGAL_T_SPLINES_NAMED_PARAMETER(tessellation_resolution)
+CGAL_T_SPLINES_NAMED_PARAMETER(vertex_distance_map)
 
 // IO
 CGAL_T_SPLINES_NAMED_PARAMETER(vertex_weight_map)

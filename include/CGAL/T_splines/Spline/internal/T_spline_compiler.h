@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Spline/Bezier_patch_3.h>
 #include <CGAL/T_splines/Spline/Compiled_T_spline.h>
+#include <CGAL/T_splines/Spline/internal/Bezier_cells.h>
 #include <CGAL/T_splines/Spline/internal/Catmull_clark_rules.h>
 #include <CGAL/T_splines/Spline/internal/Homogeneous_vector.h>
 #include <CGAL/T_splines/Spline/internal/T_spline_basis.h>
@@ -63,45 +64,10 @@ public:
   }
 
 private:
-  // How a coordinate of a vertex' frame depends on one of the face's: it is number `axis`, factor * x + offset.
-  struct Axis {
-    int axis;
-    FT factor, offset;
-  };
-
-  static Axis axis_of(const Similarity_2<FT>& s, const int face_axis)
-  {
-    const int turns = s.quarter_turns(), axis = (turns + face_axis) % 2;
-    // +u goes to the direction number `turns`, +v to the next one.
-    const bool is_reversed = (turns + face_axis) % 4 >= 2;
-    return {axis, is_reversed ? FT(-s.scale()) : s.scale(), axis == 0 ? s.u() : s.v()};
-  }
-
-  // The knot lines that cross the face, increasing, with the face's ends.
-  void find_cuts(const int f, const int face_axis, const FT& size, std::vector<FT>& cuts) const
-  {
-    cuts.clear();
-    const FT eps = T_mesh_arrays<FT>::tolerance(size) * FT(100);
-    for (const Action* a = m_basis.actions_begin(f); a != m_basis.actions_end(f); ++a) {
-      const Axis axis = axis_of(a->to_vertex, face_axis);
-      for (const FT& knot : m_basis.functions(a->vertex)[axis.axis].knots()) {
-        const FT x = (knot - axis.offset) / axis.factor;
-        if (x > eps && x < size - eps)
-          cuts.push_back(x);
-      }
-    }
-    std::sort(cuts.begin(), cuts.end());
-    cuts.erase(std::unique(cuts.begin(), cuts.end(), [&](const FT& a, const FT& b) { return b - a <= eps; }),
-               cuts.end());
-    cuts.insert(cuts.begin(), FT(0));
-    cuts.push_back(size);
-  }
-
   void compile_face(const int f, Compiled& result)
   {
-    const auto& t_mesh = m_basis.t_mesh();
-    find_cuts(f, 0, t_mesh.width(f), m_u);
-    find_cuts(f, 1, t_mesh.height(f), m_v);
+    find_cell_cuts(m_basis, f, 0, m_u);
+    find_cell_cuts(m_basis, f, 1, m_v);
     const int columns = static_cast<int>(m_u.size()) - 1, rows = static_cast<int>(m_v.size()) - 1;
     const std::size_t first = result.m_patches.size();
     result.m_faces.push_back({first, result.m_cuts.size(), columns, rows, 0});
@@ -126,7 +92,7 @@ private:
   void find_coefficients(const Action& action, const int face_axis, const std::vector<FT>& cuts,
                          std::vector<std::array<FT, 4>>& coefficients) const
   {
-    const Axis axis = axis_of(action.to_vertex, face_axis);
+    const Frame_axis<FT> axis = frame_axis(action.to_vertex, face_axis);
     const Cubic_b_spline<FT>& function = m_basis.functions(action.vertex)[axis.axis];
     coefficients.clear();
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i)

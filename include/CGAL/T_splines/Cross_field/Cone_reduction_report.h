@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_CROSS_FIELD_CONE_REDUCTION_REPORT_H
+#define CGAL_T_SPLINES_CROSS_FIELD_CONE_REDUCTION_REPORT_H
+
+#include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
+
+namespace CGAL {
+namespace T_splines {
+
+/// How the reduction of cones ended.
+enum class Cone_reduction_status {
+  REDUCED,           ///< the signature has no more cones than asked for
+  LIMIT_UNREACHABLE, ///< the theorem of Gauss and Bonnet demands more cones; the signature has as few as possible
+  INVALID_MESH,      ///< the mesh is refused: see `signature.mesh`
+  INVALID_SIGNATURE, ///< the signature is refused: see `signature`
+  SOLVER_FAILED,     ///< the linear solver refused the system
+  INTERRUPTED        ///< the visitor asked to stop
+};
+
+/// returns one sentence that explains `status`.
+inline const char* message(const Cone_reduction_status status)
+{
+  switch (status) {
+  case Cone_reduction_status::REDUCED: return "the cones were reduced";
+  case Cone_reduction_status::LIMIT_UNREACHABLE:
+    return "the surface cannot do with so few cones; there are as few as possible";
+  case Cone_reduction_status::INVALID_MESH: return "the mesh is not a closed triangle mesh with positive areas";
+  case Cone_reduction_status::INVALID_SIGNATURE: return "the holonomy signature is not admissible on this mesh";
+  case Cone_reduction_status::SOLVER_FAILED: return "the linear solver failed";
+  case Cone_reduction_status::INTERRUPTED: return "interrupted by the visitor";
+  }
+  return "";
+}
+
+/// What `reduce_cones()` did and how it ended. The numbers have a meaning if the signature was written.
+/// \tparam TriangleMesh a model of `FaceGraph`.
+template <typename TriangleMesh>
+struct Cone_reduction_report {
+  Cone_reduction_status status = Cone_reduction_status::REDUCED;
+
+  Holonomy_signature_report<TriangleMesh> signature; ///< the check of the input
+
+  int number_of_cones_before = 0;
+  int number_of_cones = 0;          ///< afterwards
+  int number_of_merges = 0;         ///< each made one or two cones regular
+  double energy_before = 0;         ///< the energy that `reduce_cones()` explains; dimensionless
+  double energy = 0;                ///< afterwards
+  double largest_energy_change = 0; ///< of a merge, or 0 if no merge raised the energy
+
+  bool success() const { return status == Cone_reduction_status::REDUCED; }
+};
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_CROSS_FIELD_CONE_REDUCTION_REPORT_H

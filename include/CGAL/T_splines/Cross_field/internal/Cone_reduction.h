@@ -1,0 +1,243 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_CONE_REDUCTION_H
+#define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_CONE_REDUCTION_H
+
+#include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// When merging cones ends.
+struct Cone_reduction_limits {
+  int number_of_cones = (std::numeric_limits<int>::max)(); ///< as long as there are more, they are merged at any price
+  double energy_change = 0;                                ///< beyond that, this is the highest price of a merge
+};
+
+/// `quarter_turns` of one cone that go to another one; cones are given by their indices.
+struct Cone_move {
+  int from = -1, to = -1;
+  int quarter_turns = 0;
+  double energy_change = 0;
+
+  bool is_null() const { return from < 0; }
+};
+
+/// What a signature tells, on cones and loops with indices.
+struct Cones_and_loops {
+  std::vector<int> component;          ///< per cone
+  std::vector<int> quarter_turns;      ///< per cone
+  std::vector<int> loop_quarter_turns; ///< per loop
+};
+
+/// The greedy merging of cones, on numbers alone: where cones and loops lie is in the energies and paths.
+///
+/// A cone a merged into a cone b becomes regular, and k_b becomes k_b + k_a - 4: the curvature t = (k_b' - k_b) pi/2
+/// goes from b to a. With the Green's function G and the mean u of the logarithmic scale factor over the disk of each
+/// cone, the first part of `Scale_energy` changes by t (u_a - u_b) + t^2/2 (G_aa - 2 G_ab + G_bb), and u by t (G_a -
+/// G_b): no system has to be solved. The second part, of the loops, is 1/2 |y|^2 for a vector y that changes by t d,
+/// where d depends on the path from a to b. It cannot decrease by more than itself: paths of merges whose first part is
+/// too large for that are not needed.
+/// \tparam ScaleEnergy see `Scale_energy`
+/// \tparam Paths see `Cone_paths`
+template <typename ScaleEnergy, typename Paths>
+class Cone_reduction {
+  static constexpr int regular = 4;
+
+public:
+  Cone_reduction(const ScaleEnergy& energy, Paths& paths, const Cones_and_loops& signature)
+    : m_energy(energy),
+      m_paths(paths),
+      m_signature(signature),
+      m_potential(signature.quarter_turns.size()),
+      m_period(signature.loop_quarter_turns.size())
+  {
+    const int n = static_cast<int>(m_potential.size());
+    m_total = energy.defect_energy();
+    for (int i = 0; i < n; ++i) {
+      m_potential[i] = -energy.defect_potential(i);
+      for (int j = 0; j < n; ++j)
+        m_potential[i] += curvature(j) * energy.interaction(i, j);
+      m_total += 0.5 * curvature(i) * (m_potential[i] - energy.defect_potential(i));
+      m_cones.push_back(i);
+    }
+    for (int l = 0; l < energy.number_of_loops(); ++l) {
+      m_period[l] = signature.loop_quarter_turns[l] * quarter_turn + energy.loop_residual(l);
+      for (int i = 0; i < n; ++i)
+        m_period[l] += curvature(i) * energy.loop_potential(l, i);
+    }
+    energy.to_orthonormal(m_period);
+    m_total += loop_energy();
+  }
+
+  /// merges cones until the limits allow no more. Complexity: O(n^2) per merge, and what the paths cost.
+  void reduce(const Cone_reduction_limits& limits)
+  {
+    for (;;) {
+      const bool is_demanded = number_of_cones() > limits.number_of_cones;
+      const Cone_move move = is_demanded ? demanded_move() : cheapest_merge(usual_range);
+      if (move.is_null() || (!is_demanded && !(move.energy_change <= limits.energy_change)))
+        return;
+      apply(move);
+    }
+  }
+
+  double energy() const { return m_total; }
+  int number_of_cones() const { return static_cast<int>(m_cones.size()); }
+  const Cones_and_loops& signature() const { return m_signature; }
+  const std::vector<Cone_move>& moves() const { return m_moves; } ///< what was done, in this order
+
+private:
+  using Range = std::pair<int, int>;
+  static constexpr Range usual_range{3, 6};
+
+  double curvature(const int i) const { return (regular - m_signature.quarter_turns[i]) * quarter_turn; }
+
+  double loop_energy() const
+  {
+    return 0.5 * std::inner_product(m_period.begin(), m_period.end(), m_period.begin(), 0.);
+  }
+
+  // The part of the change that does not depend on paths.
+  double cone_energy_change(const Cone_move& move) const
+  {
+    const int a = move.from, b = move.to;
+    const double t = move.quarter_turns * quarter_turn;
+    return t * (m_potential[a] - m_potential[b]) +
+           0.5 * t * t * (m_energy.interaction(a, a) - 2 * m_energy.interaction(a, b) + m_energy.interaction(b, b));
+  }
+
+  // Computes what a move adds to y into `m_period_change`.
+  void compute_period_change(const Cone_move& move)
+  {
+    m_period_change.assign(m_period.size(), 0.);
+    if (m_period.empty())
+      return;
+    const double t = move.quarter_turns * quarter_turn;
+    const std::vector<int>& crossings = m_paths.crossings(move.from, move.to);
+    for (int l = 0; l < static_cast<int>(m_period.size()); ++l)
+      m_period_change[l] =
+        t * (m_energy.loop_potential(l, move.from) - m_energy.loop_potential(l, move.to) - crossings[l]);
+    m_energy.to_orthonormal(m_period_change);
+  }
+
+  double loop_energy_change(const Cone_move& move)
+  {
+    compute_period_change(move);
+    double result = 0;
+    for (std::size_t l = 0; l < m_period.size(); ++l)
+      result += (m_period[l] + 0.5 * m_period_change[l]) * m_period_change[l];
+    return result;
+  }
+
+  // Whether `a` is tried later than `b`: more expensive, or, for equal results everywhere, of higher indices.
+  static bool is_later(const Cone_move& a, const Cone_move& b)
+  {
+    if (a.energy_change != b.energy_change)
+      return a.energy_change > b.energy_change;
+    return a.from != b.from ? a.from > b.from : a.to > b.to;
+  }
+
+  // The move that raises the energy least among those that `turns(k_a, k_b)` offers; it is 0 where there is none.
+  template <typename Turns>
+  Cone_move cheapest_move(const Turns& turns)
+  {
+    m_candidates.clear();
+    for (const int a : m_cones) {
+      for (const int b : m_cones) {
+        if (a == b || m_signature.component[a] != m_signature.component[b])
+          continue;
+        Cone_move move{a, b, turns(m_signature.quarter_turns[a], m_signature.quarter_turns[b]), 0.};
+        if (move.quarter_turns == 0)
+          continue;
+        move.energy_change = cone_energy_change(move);
+        m_candidates.push_back(move);
+      }
+    }
+    std::make_heap(m_candidates.begin(), m_candidates.end(), is_later);
+    const double largest_gain = loop_energy();
+    Cone_move cheapest;
+    while (!m_candidates.empty() &&
+           (cheapest.is_null() || m_candidates.front().energy_change - largest_gain < cheapest.energy_change)) {
+      std::pop_heap(m_candidates.begin(), m_candidates.end(), is_later);
+      Cone_move move = m_candidates.back();
+      m_candidates.pop_back();
+      move.energy_change += loop_energy_change(move);
+      if (cheapest.is_null() || is_later(cheapest, move))
+        cheapest = move;
+    }
+    return cheapest;
+  }
+
+  // Of the merges that leave numbers of quarter turns in a range.
+  Cone_move cheapest_merge(const Range& range)
+  {
+    return cheapest_move([range](const int k_a, const int k_b) {
+      const int k = k_b + k_a - regular;
+      return range.first <= k && k <= range.second ? k_a - regular : 0;
+    });
+  }
+
+  // As long as a component has more cones than it needs (three on a sphere, none on a torus, one else), two of them can
+  // be merged to one with a positive number of quarter turns: otherwise the sum of 4 - k over each pair would be four
+  // or more. Over all pairs this is n - 1 times the sum over all cones, which is at most eight: only four cones of k =
+  // 2 on a sphere are left as an exception. A quarter turn from one to another of them makes merges possible.
+  Cone_move demanded_move()
+  {
+    constexpr int any = (std::numeric_limits<int>::max)();
+    for (const Range& range : {usual_range, Range(2, any), Range(1, any)}) {
+      const Cone_move merge = cheapest_merge(range);
+      if (!merge.is_null())
+        return merge;
+    }
+    return cheapest_move([](const int k_a, const int k_b) { return k_a == 2 && k_b == 2 ? -1 : 0; });
+  }
+
+  void apply(const Cone_move& move)
+  {
+    const double t = move.quarter_turns * quarter_turn;
+    compute_period_change(move);
+    for (std::size_t l = 0; l < m_period.size(); ++l) {
+      m_period[l] += m_period_change[l];
+      m_signature.loop_quarter_turns[l] -= move.quarter_turns * m_paths.crossings(move.from, move.to)[l];
+    }
+    m_signature.quarter_turns[move.from] -= move.quarter_turns;
+    m_signature.quarter_turns[move.to] += move.quarter_turns;
+    CGAL_assertion(m_signature.quarter_turns[move.to] >= 1);
+    m_total += move.energy_change;
+    m_moves.push_back(move);
+    m_cones.erase(std::remove_if(m_cones.begin(), m_cones.end(),
+                                 [this](const int i) { return m_signature.quarter_turns[i] == regular; }),
+                  m_cones.end());
+    for (const int i : m_cones)
+      m_potential[i] += t * (m_energy.interaction(i, move.from) - m_energy.interaction(i, move.to));
+  }
+
+  const ScaleEnergy& m_energy;
+  Paths& m_paths;
+  Cones_and_loops m_signature;
+  std::vector<double> m_potential; // per cone: u
+  std::vector<double> m_period;    // per loop: y
+  std::vector<double> m_period_change;
+  std::vector<int> m_cones;        // those that are not regular, by increasing index
+  std::vector<Cone_move> m_candidates;
+  std::vector<Cone_move> m_moves;
+  double m_total = 0;
+};
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_CONE_REDUCTION_H

@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_CROSS_FIELD_REDUCE_CONES_H
+#define CGAL_T_SPLINES_CROSS_FIELD_REDUCE_CONES_H
+
+#include <CGAL/T_splines/Cross_field/Cone_reduction_report.h>
+#include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
+#include <CGAL/T_splines/Cross_field/check_holonomy_signature.h>
+#include <CGAL/T_splines/Cross_field/internal/Closed_mesh.h>
+#include <CGAL/T_splines/Cross_field/internal/Cone_paths.h>
+#include <CGAL/T_splines/Cross_field/internal/Cone_reduction.h>
+#include <CGAL/T_splines/Cross_field/internal/Scale_energy.h>
+#include <CGAL/T_splines/Progress_visitor.h>
+#include <CGAL/T_splines/Solver/default_solver.h>
+#include <CGAL/T_splines/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+template <typename NamedParameters>
+Cone_reduction_limits cone_reduction_limits(const NamedParameters& np)
+{
+  using CGAL::parameters::get_parameter;
+  constexpr double default_energy_change = 1;
+  Cone_reduction_limits limits;
+  const auto number_of_cones = get_parameter(np, np_tags::maximum_number_of_cones);
+  const auto energy_change = get_parameter(np, np_tags::maximum_energy_change);
+  if constexpr (!is_missing<decltype(number_of_cones)>)
+    limits.number_of_cones = static_cast<int>(number_of_cones);
+  if constexpr (!is_missing<decltype(energy_change)>)
+    limits.energy_change = static_cast<double>(energy_change);
+  else if constexpr (!is_missing<decltype(number_of_cones)>)
+    limits.energy_change = -std::numeric_limits<double>::infinity();
+  else
+    limits.energy_change = default_energy_change;
+  return limits;
+}
+
+template <typename TriangleMesh>
+std::vector<std::vector<int>> strips_of(const Mesh_indexing<TriangleMesh>& indexing,
+                                        const Holonomy_signature<TriangleMesh>& signature)
+{
+  std::vector<std::vector<int>> strips;
+  for (const auto& loop : signature.loops()) {
+    strips.emplace_back();
+    for (const auto h : loop.halfedges)
+      strips.back().push_back(indexing.halfedge_index(h));
+  }
+  return strips;
+}
+
+/// reduces with computed energies and writes the signature and the report.
+template <typename TriangleMesh, typename ScaleEnergy>
+void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& energy, const std::vector<int>& vertices,
+                  const std::vector<std::vector<int>>& strips, const Cone_reduction_limits& limits,
+                  Holonomy_signature<TriangleMesh>& signature, Cone_reduction_report<TriangleMesh>& report)
+{
+  Cones_and_loops numbers;
+  for (const int v : vertices) {
+    numbers.component.push_back(mesh.m_components.of_vertex[v]);
+    numbers.quarter_turns.push_back(signature.quarter_turns(mesh.m_indexing.vertex(v)));
+  }
+  for (const auto& loop : signature.loops())
+    numbers.loop_quarter_turns.push_back(loop.quarter_turns);
+  Cone_paths paths(mesh.m_connectivity, mesh.m_geometry.m_edge_length, vertices, strips);
+  Cone_reduction<ScaleEnergy, Cone_paths> reduction(energy, paths, numbers);
+  report.number_of_cones_before = reduction.number_of_cones();
+  report.energy_before = reduction.energy();
+  reduction.reduce(limits);
+  report.number_of_cones = reduction.number_of_cones();
+  report.number_of_merges = static_cast<int>(reduction.moves().size());
+  report.energy = reduction.energy();
+  for (const Cone_move& move : reduction.moves())
+    report.largest_energy_change = (std::max)(report.largest_energy_change, move.energy_change);
+  if (report.number_of_cones > limits.number_of_cones)
+    report.status = Cone_reduction_status::LIMIT_UNREACHABLE;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    signature.set_quarter_turns(mesh.m_indexing.vertex(vertices[i]), reduction.signature().quarter_turns[i]);
+  for (std::size_t l = 0; l < strips.size(); ++l)
+    signature.set_loop_quarter_turns(l, reduction.signature().loop_quarter_turns[l]);
+}
+
+} // namespace internal
+
+/// merges cones of a holonomy signature, so that few are left: each extraordinary vertex costs a T-spline rings of
+/// control points.
+///
+/// A cone a is merged into a cone b of the same component by moving k_a - 4 quarter turns along a shortest path of
+/// edges: a becomes regular, k_b becomes k_b + k_a - 4, and the numbers of the loops that cross the path change as
+/// often. The signature stays admissible: it is that of a cross field which turns by as many quarter turns more across
+/// the path. No field is needed.
+///
+/// The merge that raises the energy least, or lowers it most, is always next. The energy is one half of the integral of
+/// |xi|^2, where xi is the differential of the logarithm of the scale of the similarity map with this signature, in the
+/// linear approximation of conformal maps and with cones spread over small disks: how much the sizes of the map's
+/// elements differ. It is that of the rotation of the smoothest cross field with this signature, too (Crane, Desbrun,
+/// Schroeder, Trivial connections on discrete surfaces, 2010). All its changes come from Green's functions of the cones
+/// and 2g harmonic forms, which are computed once.
+///
+/// Merges leave numbers of three to six quarter turns. Only if the demanded number of cones cannot be reached so,
+/// others from two upwards are made, and if need be from one upwards.
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param mesh a closed triangle mesh, of one or more components
+/// \param signature an admissible signature of `mesh`; it is changed if the status is REDUCED or LIMIT_UNREACHABLE
+/// \param np named parameters:
+///        - `vertex_point_map`; `geom_traits`
+///        - `maximum_energy_change` (double, default 1): merges go on as long as the next one raises the energy by at
+///          most this much. It depends neither on the size nor, much, on the resolution of the mesh. With 0 only those
+///          cones are merged that do more harm than good. The default is minus infinity if `maximum_number_of_cones` is
+///          given.
+///        - `maximum_number_of_cones` (int, default no limit): merges go on until at most so many cones are left in the
+///          whole mesh, whatever they cost. With `maximum_energy_change` they go on beyond that as long as they are
+///          cheap. A component of genus 0 needs three cones, one of genus 1 none, others one.
+///        - `sparse_linear_solver`: a model of `SparseSpdSolverTraits` with `FT = double`
+///        - `visitor`: see `Progress_visitor`
+/// \return what was done. Equal input gives equal results.
+/// Complexity: with m cones, a sparse factorization of one row per vertex and m + 2g + 1 solves, O(m^2) numbers of
+/// memory, O(m^2) per merge, and if g > 0 at most two searches of shortest paths per cone.
+template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Cone_reduction_report<TriangleMesh> reduce_cones(const TriangleMesh& mesh, Holonomy_signature<TriangleMesh>& signature,
+                                                 const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Cone_reduction_report<TriangleMesh> report;
+  report.signature = check_holonomy_signature(mesh, signature, np);
+  if (!report.signature.success()) {
+    report.status = report.signature.mesh.success() ? Cone_reduction_status::INVALID_SIGNATURE
+                                                    : Cone_reduction_status::INVALID_MESH;
+    return report;
+  }
+  const auto visitor = choose_parameter<Progress_visitor>(get_parameter(np, CGAL::internal_np::visitor));
+  visitor.begin_stage("cone reduction");
+  const internal::Closed_mesh<TriangleMesh> closed_mesh(mesh, np);
+  std::vector<int> vertices;
+  for (const auto& cone : signature.cones())
+    vertices.push_back(closed_mesh.m_indexing.vertex_index(cone.first));
+  std::sort(vertices.begin(), vertices.end()); // the order in which cones were set must not matter
+  const std::vector<std::vector<int>> strips = internal::strips_of(closed_mesh.m_indexing, signature);
+  auto&& solver = internal::sparse_linear_solver(np);
+  internal::Scale_energy<std::remove_reference_t<decltype(solver)>> energy(
+    closed_mesh.m_connectivity, closed_mesh.m_geometry, closed_mesh.m_components, strips, solver);
+  bool is_interrupted = false;
+  if (!energy.compute(vertices, visitor, is_interrupted))
+    report.status = Cone_reduction_status::SOLVER_FAILED;
+  else if (is_interrupted)
+    report.status = Cone_reduction_status::INTERRUPTED;
+  else
+    internal::reduce_cones(closed_mesh, energy, vertices, strips, internal::cone_reduction_limits(np), signature,
+                           report);
+  return report;
+}
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_CROSS_FIELD_REDUCE_CONES_H

@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_SPLINE_FIT_T_SPLINE_H
+#define CGAL_T_SPLINES_SPLINE_FIT_T_SPLINE_H
+
+#include <CGAL/T_splines/Progress_visitor.h>
+#include <CGAL/T_splines/Solver/default_solver.h>
+#include <CGAL/T_splines/Spline/T_spline_fit_report.h>
+#include <CGAL/T_splines/Spline/internal/T_spline_fitter.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_sample.h>
+#include <CGAL/T_splines/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+
+/// The fairness of a fit if none is given: it smooths over a third of the distance between samples.
+constexpr double default_fairness = 0.01;
+
+namespace internal {
+
+// Takes x into [0, size], unless it is farther away than round-off explains. Returns whether it is inside.
+template <typename FT>
+bool is_clamped(FT& x, const FT& size)
+{
+  const FT given = x;
+  x = (std::clamp)(x, FT(0), size);
+  return std::abs(given - x) <= FT(1e-6) * size;
+}
+
+// The samples in indices. Fills the report and returns an empty vector if one is invalid, or none has a weight.
+template <typename FT, typename TMesh, typename SampleRange>
+std::vector<Fitting_sample<FT>> fitting_samples(const Mesh_indexing<TMesh>& indexing,
+                                                const T_mesh_arrays<FT>& t_mesh, const SampleRange& samples,
+                                                T_spline_fit_report<TMesh>& report)
+{
+  std::vector<Fitting_sample<FT>> result;
+  FT weight(0);
+  std::size_t i = 0;
+  for (const auto& sample : samples) {
+    const int f = indexing.face_index(sample.place.face);
+    Fitting_sample<FT> s{
+        f, sample.place.u, sample.place.v, {sample.point.x(), sample.point.y(), sample.point.z()}, sample.weight};
+    if (!is_clamped(s.u, t_mesh.width(f)) || !is_clamped(s.v, t_mesh.height(f)) || !(s.weight >= FT(0)) ||
+        !std::isfinite(s.weight) || !std::isfinite(s.point[0]) || !std::isfinite(s.point[1]) ||
+        !std::isfinite(s.point[2])) {
+      report.status = T_spline_fit_status::INVALID_SAMPLE;
+      report.sample = i;
+      return {};
+    }
+    weight += s.weight;
+    result.push_back(s);
+    ++i;
+  }
+  if (!(weight > FT(0))) {
+    report.status = T_spline_fit_status::NO_SAMPLES;
+    return {};
+  }
+  return result;
+}
+
+// The weights of the control points: 1 unless given.
+template <typename FT, typename TMesh, typename NamedParameters>
+auto control_point_weights(const TMesh&, const NamedParameters& np)
+{
+  using vertex_descriptor = typename boost::graph_traits<TMesh>::vertex_descriptor;
+  return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, np_tags::vertex_weight_map),
+                                            CGAL::Constant_property_map<vertex_descriptor, FT>(FT(1)));
+}
+
+} // namespace internal
+
+/// fits a T-spline surface to samples of a surface: finds the control points that minimize E_dist + lambda E_fair ([He06]
+/// section 3.3, equation (3)), in the faces at extraordinary vertices as in all others.
+///
+/// - E_dist = sum of w |S(u) - p|^2 over the samples p with the place u and the weight w.
+/// - E_fair = sum of the thin-plate energies of the faces, the integrals of S_xx^2 + 2 S_xy^2 + S_yy^2. In each face, x and
+///   y are u and v in the unit in which the face has the area that it has on the surface, the sum of the weights in it:
+///   the units of knots, which change from face to face, do not matter. At an extraordinary vertex, x and y are the
+///   coordinates of the characteristic map of Catmull-Clark subdivision, likewise.
+/// - lambda = fairness d^4, where d^2 is the mean weight of a sample, so that d is the distance between samples: features
+///   smaller than fairness^(1/4) d are smoothed away. The fairness has no unit.
+///
+/// Then the samples are moved to the points of the surface that are closest nearby, and the surface is fitted again, as
+/// long as this reduces the root mean square of the distances by 2 percent or more (parameter correction).
+/// \tparam TMesh a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`; it may be non-simple
+/// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_spline_surface`
+/// \tparam SampleRange a range of `T_mesh_sample<TMesh, Kernel>`, or of what has the members `place`, `point`, `weight`;
+///        `Kernel::FT` is the floating point type of the computation
+/// \tparam VertexPointMap a writable map, vertex -> `Kernel::Point_3`
+/// \param t_mesh, knots, corners a spline compatible T-mesh
+/// \param samples their places are moved upon success, if corrections are asked for
+/// \param control_points written upon success, to euclidean coordinates
+/// \param np optional named parameters:
+///   `T_splines::parameters::fairness`: a number >= 0 (default: `default_fairness`); with 0, the samples alone must
+///     determine all control points;
+///   `CGAL::parameters::number_of_iterations`: how often the samples are moved at most (3);
+///   `T_splines::parameters::vertex_weight_map`: vertex -> positive number, the weights of the rational form (1);
+///   `CGAL::parameters::sparse_linear_solver`: a model of `SparseSpdSolverTraits` (`Default_spd_solver_traits`);
+///     `Eigen_spd_solver_traits<Eigen::ConjugateGradient<...>>` is the method of [He06];
+///   `CGAL::parameters::visitor`: a `Progress_visitor`;
+///   `T_splines::parameters::relative_tolerance`, as for `is_admissible()`
+/// \return whether the surface was fitted, if not, why, and how far it is from the samples
+/// Complexity: for each fit linear in the number of samples times the squared number of basis functions that act in a
+/// face (about 20), and one sparse factorization.
+template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename SampleRange,
+          typename VertexPointMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+T_spline_fit_report<TMesh> fit_T_spline(const TMesh& t_mesh, const HalfedgeKnotMap knots,
+                                        const HalfedgeCornerMap corners, SampleRange& samples,
+                                        const VertexPointMap control_points,
+                                        const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Point_3 = std::decay_t<decltype(samples.begin()->point)>;
+  using Kernel = typename CGAL::Kernel_traits<Point_3>::Kernel;
+  using FT = typename Kernel::FT;
+  static_assert(std::is_floating_point<FT>::value, "fits are computed in a floating point type");
+  const FT fairness = FT(choose_parameter(get_parameter(np, np_tags::fairness), default_fairness));
+  const int number_of_corrections =
+      static_cast<int>(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 3));
+  const auto visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Progress_visitor());
+  auto&& solver = internal::sparse_linear_solver(np);
+
+  T_spline_fit_report<TMesh> report;
+  if (!(fairness >= FT(0)) || !std::isfinite(fairness)) {
+    report.status = T_spline_fit_status::INVALID_FAIRNESS;
+    return report;
+  }
+  internal::T_spline_fitter<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Kernel> fitter(
+      t_mesh, knots, corners, internal::control_point_weights<FT>(t_mesh, np), np);
+  report.surface = fitter.surface().report();
+  if (!report.surface.success()) {
+    report.status = T_spline_fit_status::INVALID_SURFACE;
+    return report;
+  }
+  const auto& indexing = fitter.surface().indexing();
+  std::vector<internal::Fitting_sample<FT>> fitting_samples =
+      internal::fitting_samples(indexing, fitter.surface().t_mesh_arrays(), samples, report);
+  if (!report.success())
+    return report;
+  fitter.fit(fitting_samples, fairness, number_of_corrections, solver, visitor, report);
+  if (!report.success())
+    return report;
+  std::size_t i = 0;
+  for (auto& sample : samples) {
+    sample.place.face = indexing.face(fitting_samples[i].face);
+    sample.place.u = fitting_samples[i].u;
+    sample.place.v = fitting_samples[i].v;
+    ++i;
+  }
+  for (const auto v : CGAL::make_range(vertices(t_mesh)))
+    put(control_points, v, fitter.control_point(v));
+  return report;
+}
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_SPLINE_FIT_T_SPLINE_H

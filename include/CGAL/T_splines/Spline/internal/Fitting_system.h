@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_SPLINE_INTERNAL_FITTING_SYSTEM_H
+#define CGAL_T_SPLINES_SPLINE_INTERNAL_FITTING_SYSTEM_H
+
+#include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
+#include <CGAL/T_splines/Spline/internal/Face_functions.h>
+#include <CGAL/T_splines/Spline/internal/T_spline_basis.h>
+#include <CGAL/T_splines/Spline/internal/Thin_plate_energy.h>
+#include <CGAL/T_splines/T_mesh/internal/T_mesh_arrays.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// A sample in indices: a place in a face, a point, a weight.
+template <typename FT>
+struct Fitting_sample {
+  int face;
+  FT u, v;
+  std::array<FT, 3> point;
+  FT weight;
+};
+
+/// The areas of the faces of a T-mesh on a surface, by the weights of the samples in them. A face with few samples, whose
+/// weights may stand for much more than the face, takes the area of a parameter unit from its neighbours. Linear time.
+template <typename FT>
+std::vector<FT> face_areas(const T_mesh_arrays<FT>& t_mesh, const std::vector<Fitting_sample<FT>>& samples)
+{
+  std::vector<FT> areas(t_mesh.number_of_faces(), FT(0));
+  std::vector<int> number(t_mesh.number_of_faces(), 0);
+  for (const Fitting_sample<FT>& sample : samples) {
+    areas[sample.face] += sample.weight;
+    number[sample.face] += sample.weight > FT(0) ? 1 : 0;
+  }
+  const int enough = (std::min)(4, *std::max_element(number.begin(), number.end()));
+  std::vector<int> queue;
+  for (int f = 0; f < t_mesh.number_of_faces(); ++f) {
+    if (number[f] >= enough)
+      queue.push_back(f);
+    else
+      areas[f] = FT(0);
+  }
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const int f = queue[i];
+    const FT unit = areas[f] / (t_mesh.width(f) * t_mesh.height(f));
+    const int first = t_mesh.first_of_side(f, 0);
+    int h = first;
+    do {
+      const int o = T_mesh_arrays<FT>::opposite(h);
+      if (!t_mesh.is_border(o) && !(areas[t_mesh.face(o)] > FT(0))) {
+        const int g = t_mesh.face(o);
+        areas[g] = unit / (t_mesh.ratio(h) * t_mesh.ratio(h)) * t_mesh.width(g) * t_mesh.height(g);
+        queue.push_back(g);
+      }
+      h = t_mesh.next(h);
+    } while (h != first);
+  }
+  return areas;
+}
+
+/// The normal equations of a fit: the matrix and the right-hand sides of E_dist + lambda E_fair ([He06] equation (3)),
+/// both for euclidean control points.
+template <typename FT>
+class Fitting_system {
+  using Basis = T_spline_basis<FT>;
+  using Matrix = Symmetric_sparse_matrix<FT>;
+  using Dense = Eigen::Matrix<FT, Eigen::Dynamic, Eigen::Dynamic>;
+
+public:
+  /// \param basis must outlive the system
+  /// \param weights of the vertices, likewise
+  Fitting_system(const Basis& basis, const std::vector<FT>& weights)
+    : m_basis(basis),
+      m_functions(basis, weights),
+      m_number_of_vertices(static_cast<int>(weights.size()))
+  {
+    find_pattern();
+  }
+
+  /// Sets E_fair: the thin-plate energies of the faces, in the unit of length of the surface, in which the faces have
+  /// these areas.
+  void set_fairness(const std::vector<FT>& face_areas)
+  {
+    m_fairness.assign(m_matrix.row.size(), FT(0));
+    Thin_plate_energy<FT> energy(m_basis);
+    Dense scaled;
+    for (int f = 0; f < m_basis.t_mesh().number_of_faces(); ++f) {
+      m_functions.enter(f);
+      scaled = energy.matrix(m_functions) / face_areas[f];
+      add(scaled, m_fairness);
+    }
+  }
+
+  /// Sets E_dist: the weighted sum of the squared distances at the samples.
+  void set_samples(const std::vector<Fitting_sample<FT>>& samples)
+  {
+    m_distance.assign(m_matrix.row.size(), FT(0));
+    for (std::vector<FT>& side : m_right)
+      side.assign(m_number_of_vertices, FT(0));
+    std::vector<int> order(samples.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](const int i, const int j) { return samples[i].face < samples[j].face; });
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+      const int face = samples[order[begin]].face;
+      while (end < order.size() && samples[order[end]].face == face)
+        ++end;
+      m_functions.enter(face);
+      add_samples_of_face(samples, order, begin, end);
+    }
+  }
+
+  /// Solves for the control points, three coordinates per vertex.
+  /// \param is_analyzed whether the solver knows the pattern
+  /// \return false if the solver fails: the matrix is singular to working precision
+  template <typename SolverTraits>
+  bool solve(const FT& lambda, SolverTraits& solver, const bool is_analyzed, std::vector<std::array<FT, 3>>& points)
+  {
+    for (std::size_t i = 0; i < m_matrix.value.size(); ++i)
+      m_matrix.value[i] = m_distance[i] + (m_fairness.empty() ? FT(0) : lambda * m_fairness[i]);
+    scale();
+    if (!is_analyzed && !solver.analyze_pattern(m_matrix))
+      return false;
+    if (!solver.factorize(m_matrix))
+      return false;
+    points.resize(m_number_of_vertices);
+    std::vector<FT> solution, right(m_number_of_vertices);
+    for (int k = 0; k < 3; ++k) {
+      for (int v = 0; v < m_number_of_vertices; ++v)
+        right[v] = m_right[k][v] * m_scale[v];
+      if (!solver.solve(right, solution))
+        return false;
+      for (int v = 0; v < m_number_of_vertices; ++v)
+        points[v][k] = solution[v] * m_scale[v];
+    }
+    return true;
+  }
+
+private:
+  // Faces are of very different sizes: with a diagonal of ones, a small pivot means dependence.
+  void scale()
+  {
+    m_scale.resize(m_number_of_vertices);
+    for (int v = 0; v < m_number_of_vertices; ++v) {
+      const FT& diagonal = m_matrix.value[m_matrix.column_begin[v]];
+      m_scale[v] = diagonal > FT(0) ? FT(1) / std::sqrt(diagonal) : FT(1);
+    }
+    for (int v = 0; v < m_number_of_vertices; ++v)
+      for (int i = m_matrix.column_begin[v]; i < m_matrix.column_begin[v + 1]; ++i)
+        m_matrix.value[i] *= m_scale[v] * m_scale[m_matrix.row[i]];
+  }
+
+  void find_pattern()
+  {
+    std::vector<std::vector<int>> rows(m_number_of_vertices);
+    for (int v = 0; v < m_number_of_vertices; ++v)
+      rows[v].push_back(v);
+    for (int f = 0; f < m_basis.t_mesh().number_of_faces(); ++f) {
+      m_functions.enter(f);
+      const std::vector<int>& vertices = m_functions.vertices();
+      for (std::size_t j = 0; j < vertices.size(); ++j)
+        rows[vertices[j]].insert(rows[vertices[j]].end(), vertices.begin() + static_cast<std::ptrdiff_t>(j),
+                                 vertices.end());
+    }
+    for (std::vector<int>& column : rows) {
+      std::sort(column.begin(), column.end());
+      column.erase(std::unique(column.begin(), column.end()), column.end());
+      m_matrix.row.insert(m_matrix.row.end(), column.begin(), column.end());
+      m_matrix.column_begin.push_back(static_cast<int>(m_matrix.row.size()));
+    }
+    m_matrix.value.assign(m_matrix.row.size(), FT(0));
+  }
+
+  // Adds the lower triangle of a matrix of the functions of the present face.
+  void add(const Dense& matrix, std::vector<FT>& values) const
+  {
+    const std::vector<int>& vertices = m_functions.vertices();
+    const Eigen::Index n = static_cast<Eigen::Index>(vertices.size());
+    for (Eigen::Index j = 0; j < n; ++j) {
+      int entry = m_matrix.column_begin[vertices[j]];
+      for (Eigen::Index i = j; i < n; ++i) {
+        while (m_matrix.row[entry] != vertices[i])
+          ++entry;
+        values[entry] += matrix(i, j);
+      }
+    }
+  }
+
+  void add_samples_of_face(const std::vector<Fitting_sample<FT>>& samples, const std::vector<int>& order,
+                           const std::size_t begin, const std::size_t end)
+  {
+    const std::vector<int>& vertices = m_functions.vertices();
+    const Eigen::Index n = static_cast<Eigen::Index>(vertices.size());
+    m_rows.resize(n, static_cast<Eigen::Index>(end - begin));
+    m_points.resize(static_cast<Eigen::Index>(end - begin), 3);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Fitting_sample<FT>& sample = samples[order[i]];
+      const FT root = std::sqrt(sample.weight);
+      const auto& jets = m_functions.template evaluate<0>(sample.u, sample.v);
+      const Eigen::Index column = static_cast<Eigen::Index>(i - begin);
+      for (Eigen::Index r = 0; r < n; ++r)
+        m_rows(r, column) = root * jets[r][0];
+      for (int k = 0; k < 3; ++k)
+        m_points(column, k) = root * sample.point[k];
+    }
+    m_square.setZero(n, n);
+    m_square.template selfadjointView<Eigen::Lower>().rankUpdate(m_rows);
+    add(m_square, m_distance);
+    m_product.noalias() = m_rows * m_points;
+    for (Eigen::Index r = 0; r < n; ++r)
+      for (int k = 0; k < 3; ++k)
+        m_right[k][vertices[r]] += m_product(r, k);
+  }
+
+  const Basis& m_basis;
+  Face_functions<FT> m_functions;
+  int m_number_of_vertices;
+  Matrix m_matrix;
+  std::vector<FT> m_distance, m_fairness; // the entries of the matrices of E_dist and E_fair
+  std::vector<FT> m_scale;                // per vertex
+  std::array<std::vector<FT>, 3> m_right;
+  Dense m_rows, m_square, m_points, m_product;
+};
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_SPLINE_INTERNAL_FITTING_SYSTEM_H

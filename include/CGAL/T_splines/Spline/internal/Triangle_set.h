@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_SPLINE_INTERNAL_TRIANGLE_SET_H
+#define CGAL_T_SPLINES_SPLINE_INTERNAL_TRIANGLE_SET_H
+
+#include <CGAL/T_splines/Spline/T_spline_deviation_report.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_type_basic.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// Triangles in doubles, whose corners are numbers of points.
+struct Triangle_set {
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Point_3 = Kernel::Point_3;
+  using Triangle_3 = Kernel::Triangle_3;
+
+  std::vector<Point_3> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+
+  Triangle_3 triangle(const std::size_t i) const
+  {
+    const std::array<std::size_t, 3>& t = triangles[i];
+    return Triangle_3(points[t[0]], points[t[1]], points[t[2]]);
+  }
+
+  double extent() const
+  {
+    CGAL::Bbox_3 box;
+    for (const Point_3& p : points)
+      box += p.bbox();
+    return points.empty() ? 0 : (std::max)({box.x_span(), box.y_span(), box.z_span()});
+  }
+};
+
+inline double area(const Triangle_set::Triangle_3& t)
+{
+  return 0.5 * std::sqrt(CGAL::cross_product(t[1] - t[0], t[2] - t[0]).squared_length());
+}
+
+// Fourth powers of distances must not overflow.
+constexpr double largest_measured_coordinate = 1e70;
+
+template <typename Point>
+Triangle_set::Point_3 point_in_doubles(const Point& p)
+{
+  return Triangle_set::Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+}
+
+inline bool is_within_range(const Triangle_set::Point_3& p)
+{
+  return std::abs(p.x()) <= largest_measured_coordinate && std::abs(p.y()) <= largest_measured_coordinate &&
+         std::abs(p.z()) <= largest_measured_coordinate;
+}
+
+/// Reads a mesh. Its points are the vertices of faces, in the order in which faces name them: neighbours follow each
+/// other.
+/// \param vertices_read receives the vertex of each point, unless null
+/// \return the status, with the vertex or face concerned
+template <typename TriangleMesh, typename VertexPointMap>
+T_spline_deviation_report<TriangleMesh>
+read_triangle_set(const TriangleMesh& mesh, const VertexPointMap point_map, Triangle_set& set,
+                  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>* vertices_read = nullptr)
+{
+  using Index_map =
+      typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<std::size_t>>::const_type;
+  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  T_spline_deviation_report<TriangleMesh> report;
+  const Index_map index = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
+  for (const auto v : CGAL::make_range(vertices(mesh)))
+    put(index, v, none);
+  for (const auto f : CGAL::make_range(faces(mesh))) {
+    auto h = halfedge(f, mesh);
+    std::array<std::size_t, 3> triangle;
+    for (std::size_t& corner : triangle) {
+      const auto v = target(h, mesh);
+      if (get(index, v) == none) {
+        put(index, v, set.points.size());
+        set.points.push_back(point_in_doubles(get(point_map, v)));
+        if (vertices_read != nullptr)
+          vertices_read->push_back(v);
+        if (!is_within_range(set.points.back())) {
+          report.status = T_spline_deviation_status::VERTEX_NOT_FINITE;
+          report.vertex = v;
+          return report;
+        }
+      }
+      corner = get(index, v);
+      h = next(h, mesh);
+    }
+    if (h != halfedge(f, mesh)) {
+      report.status = T_spline_deviation_status::NOT_TRIANGULATED;
+      report.face = f;
+      return report;
+    }
+    set.triangles.push_back(triangle);
+  }
+  if (set.triangles.empty())
+    report.status = T_spline_deviation_status::NO_FACES;
+  return report;
+}
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_SPLINE_INTERNAL_TRIANGLE_SET_H

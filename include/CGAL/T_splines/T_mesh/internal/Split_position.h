@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_T_MESH_INTERNAL_SPLIT_POSITION_H
+#define CGAL_T_SPLINES_T_MESH_INTERNAL_SPLIT_POSITION_H
+
+#include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
+#include <CGAL/T_splines/internal/exactness.h>
+
+#include <CGAL/number_type_basic.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// Where to split a face of a T-mesh in two: at a vertex in the middle third of the two sides that are cut, one that
+/// both have if there is one, or in the middle. A new knot so keeps a distance of a sixth of the face from the old ones.
+template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap>
+class Split_position {
+  using Coordinates = T_mesh_coordinates<TMesh, HalfedgeKnotMap, HalfedgeCornerMap>;
+  using halfedge_descriptor = typename Coordinates::halfedge_descriptor;
+  using face_descriptor = typename Coordinates::face_descriptor;
+
+public:
+  using FT = typename Coordinates::FT;
+
+  Split_position(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners)
+    : m_t_mesh(t_mesh),
+      m_knots(knots),
+      m_corners(corners),
+      m_coordinates(t_mesh, knots, corners)
+  {
+  }
+
+  /// The distance from the side that is parallel to the cut.
+  /// \param axis 0 for a cut along u = const, 1 for v = const
+  FT operator()(const face_descriptor f, const int axis) const
+  {
+    const halfedge_descriptor first = m_coordinates.first_of_side(f, axis);
+    const FT size = m_coordinates.side_length(first), middle = size / FT(2);
+    FT best = middle, best_distance = size / FT(6);
+    bool is_best_met_twice = false;
+    const std::vector<FT> near = inner_knots(first), far = inner_knots(m_coordinates.first_of_side(f, axis + 2));
+    const auto consider = [&](const FT& x, const bool is_met_twice) {
+      const FT distance = CGAL::abs(FT(x - middle));
+      if (distance > size / FT(6) || (is_best_met_twice && !is_met_twice))
+        return;
+      if (distance < best_distance || (is_met_twice && !is_best_met_twice)) {
+        best = x;
+        best_distance = distance;
+        is_best_met_twice = is_met_twice;
+      }
+    };
+    // Both lists are merged; the far side runs backwards.
+    std::size_t i = 0, j = far.size();
+    while (i < near.size() || j > 0) {
+      const bool has_near = i<near.size(), has_far = j> 0;
+      const FT x = has_near ? near[i] : size, y = has_far ? FT(size - far[j - 1]) : size;
+      const bool is_met_twice = has_near && has_far && CGAL::abs(FT(x - y)) <= tolerance(size);
+      consider((std::min)(x, y), is_met_twice);
+      if (has_near && (is_met_twice || !has_far || x < y))
+        ++i;
+      if (has_far && (is_met_twice || !has_near || !(x < y)))
+        --j;
+    }
+    return best;
+  }
+
+private:
+  static FT tolerance(const FT& size)
+  {
+    if constexpr (is_exact_number_type<FT>)
+      return FT(0);
+    else
+      return size * FT(1e-11);
+  }
+
+  // Distances of the vertices on a side, corners excepted, from its beginning.
+  std::vector<FT> inner_knots(halfedge_descriptor h) const
+  {
+    std::vector<FT> result;
+    FT distance(0);
+    while (!get(m_corners, h)) {
+      distance += get(m_knots, h);
+      result.push_back(distance);
+      h = next(h, m_t_mesh);
+    }
+    return result;
+  }
+
+  const TMesh& m_t_mesh;
+  HalfedgeKnotMap m_knots;
+  HalfedgeCornerMap m_corners;
+  Coordinates m_coordinates;
+};
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_T_MESH_INTERNAL_SPLIT_POSITION_H

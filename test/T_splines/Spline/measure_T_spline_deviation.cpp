@@ -1,0 +1,309 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/T_splines/Spline/measure_T_spline_deviation.h>
+
+#include <CGAL/T_splines/Spline/compile_T_spline.h>
+#include <CGAL/T_splines/Spline/tessellate_T_spline.h>
+
+#include "Spline/Spline_mesh.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Random.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace {
+
+using namespace spline_tests;
+using Mesh = Spline_mesh<double>;
+using Triangles = CGAL::Surface_mesh<Kernel::Point_3>;
+using Point_3 = Kernel::Point_3;
+using Inexact_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using CGAL::T_splines::measure_T_spline_deviation;
+using CGAL::T_splines::parameters::tessellation_resolution;
+using CGAL::T_splines::parameters::vertex_distance_map;
+using Status = CGAL::T_splines::T_spline_deviation_status;
+
+// The rectangle [0, 4] x [0, 3] in the plane z = 0, or with a wave over it.
+class Rectangle : public Mesh {
+public:
+  explicit Rectangle(const double height = 0) : Mesh(test_t_meshes::rectangle<double>(columns, rows))
+  {
+    for (int j = 0; j < rows; ++j)
+      for (int i = 0; i < columns; ++i)
+        for (int k = 0; k < 4; ++k) {
+          const int x = i + (k == 1 || k == 2), y = j + (k >= 2);
+          const bool is_border = x == 0 || x == columns || y == 0 || y == rows;
+          set_control(source(halfedge_of(columns * j + i, k), mesh), Point_3(x, y, is_border ? 0 : height), 1);
+        }
+  }
+
+  static constexpr int columns = 4, rows = 3;
+};
+
+// Two triangles.
+Triangles flat_rectangle(const double z_left, const double z_right)
+{
+  Triangles mesh;
+  const auto a = mesh.add_vertex(Point_3(0, 0, z_left)), b = mesh.add_vertex(Point_3(4, 0, z_right)),
+             c = mesh.add_vertex(Point_3(4, 3, z_right)), d = mesh.add_vertex(Point_3(0, 3, z_left));
+  mesh.add_face(a, b, c);
+  mesh.add_face(a, c, d);
+  return mesh;
+}
+
+// A round torus, nearly, with radii of about 3 and 1.
+class Torus : public Mesh {
+public:
+  Torus() : Mesh(test_t_meshes::squares<double>(edges()))
+  {
+    for (int i = 0; i < m; ++i)
+      for (int j = 0; j < n; ++j) {
+        const double a = 2 * CGAL_PI * i / m, b = 2 * CGAL_PI * j / n, r = 3 + std::cos(b);
+        set_control(source(halfedge_of(n * i + j, 0), mesh), Point_3(r * std::cos(a), r * std::sin(a), std::sin(b)), 1);
+      }
+  }
+
+private:
+  static constexpr int m = 12, n = 8;
+
+  static std::vector<std::vector<int>> edges()
+  {
+    const auto along = [](const int i, const int j) { return 2 * (n * (i % m) + j % n); };
+    std::vector<std::vector<int>> result;
+    for (int i = 0; i < m; ++i)
+      for (int j = 0; j < n; ++j)
+        result.push_back({along(i, j), along(i + 1, j) + 1, along(i, j + 1), along(i, j) + 1});
+    return result;
+  }
+};
+
+} // namespace
+
+TEST_CASE("a surface is as far from its tessellation as this is from it: order two", "[measure_T_spline_deviation]")
+{
+  Torus t;
+  const Mesh::Surface surface = t.surface();
+  REQUIRE(surface.is_valid());
+  double last_mesh = 0, last_surface = 0, last_rms = 0;
+  for (const int n : {2, 4, 8}) {
+    Triangles mesh;
+    CGAL::T_splines::tessellate_T_spline(surface, n, mesh);
+    const auto distance = mesh.add_property_map<Triangles::Vertex_index, double>("v:distance", -1.).first;
+    const auto report =
+        measure_T_spline_deviation(surface, mesh, tessellation_resolution(32, vertex_distance_map(distance)));
+    REQUIRE(report.success());
+    CHECK(report.resolution == 32);
+    for (const auto v : mesh.vertices())
+      REQUIRE(std::abs(distance[v]) < 1e-14); // they are vertices of the tessellation
+    CHECK(report.mesh_to_surface.rms <= report.mesh_to_surface.maximum);
+    CHECK(report.maximum() == (std::max)(report.mesh_to_surface.maximum, report.surface_to_mesh.maximum));
+    if (last_mesh > 0) {
+      CHECK(std::log2(last_mesh / report.mesh_to_surface.maximum) > 1.8);
+      CHECK(std::log2(last_surface / report.surface_to_mesh.maximum) > 1.8);
+      CHECK(std::log2(last_rms / report.surface_to_mesh.rms) > 1.8);
+    }
+    last_mesh = report.mesh_to_surface.maximum;
+    last_surface = report.surface_to_mesh.maximum;
+    last_rms = report.surface_to_mesh.rms;
+  }
+}
+
+TEST_CASE("the vertices of a tessellation lie on the surface, cones or not", "[measure_T_spline_deviation]")
+{
+  CGAL::Random random(1);
+  for (const auto& faces : closed_surfaces<double>()) {
+    INFO(faces.first);
+    Mesh t(faces.second);
+    REQUIRE(t.make_spline_compatible());
+    t.set_random_controls(random);
+    const Mesh::Surface surface = t.surface();
+    Triangles mesh;
+    CGAL::T_splines::tessellate_T_spline(surface, 8, mesh);
+    const auto report = measure_T_spline_deviation(surface, mesh, tessellation_resolution(8));
+    CHECK(report.mesh_to_surface.maximum < 1e-14);
+    CHECK(report.surface_to_mesh.maximum < 1e-14);
+  }
+}
+
+TEST_CASE("a mesh that is displaced along the normals is that far away", "[measure_T_spline_deviation]")
+{
+  Torus t;
+  const Mesh::Surface surface = t.surface();
+  Triangles mesh;
+  const auto normals = mesh.add_property_map<Triangles::Vertex_index, Kernel::Vector_3>("v:normal").first;
+  CGAL::T_splines::tessellate_T_spline(surface, 16, mesh, CGAL::parameters::vertex_normal_map(normals));
+  const double d = 0.05;
+  for (const auto v : mesh.vertices())
+    mesh.point(v) = mesh.point(v) + d * normals[v];
+  const auto check = [&](const auto& report) {
+    REQUIRE(report.success());
+    for (const auto& way : {report.mesh_to_surface, report.surface_to_mesh})
+      for (const double x : {way.rms, way.maximum})
+        CHECK(std::abs(x - d) < 0.02 * d);
+    const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
+    CHECK(report.mesh_to_surface.extent == (std::max)(box.x_span(), box.y_span()));
+    CHECK(report.mesh_to_surface.relative_rms() == report.mesh_to_surface.rms / report.surface_to_mesh.extent);
+  };
+  check(measure_T_spline_deviation(surface, mesh));
+  check(measure_T_spline_deviation(CGAL::T_splines::compile_T_spline(surface), mesh));
+}
+
+TEST_CASE("large triangles are measured inside", "[measure_T_spline_deviation]")
+{
+  Rectangle flat;
+  const Mesh::Surface plane = flat.surface();
+  REQUIRE(plane.is_valid());
+  const double d = 0.5;
+  const auto parallel = measure_T_spline_deviation(plane, flat_rectangle(d, d), tessellation_resolution(16));
+  for (const auto& way : {parallel.mesh_to_surface, parallel.surface_to_mesh}) {
+    CHECK(std::abs(way.rms - d) < 1e-14);
+    CHECK(std::abs(way.maximum - d) < 1e-14);
+    CHECK(way.extent == 4);
+    CHECK(way.number_of_samples > 100);
+  }
+  // On an inclined rectangle the height grows from 0 to d: the mean of its square is d^2 / 3.
+  const auto inclined = measure_T_spline_deviation(plane, flat_rectangle(0, d));
+  CHECK(std::abs(inclined.mesh_to_surface.rms - d / std::sqrt(3.)) < 1e-5);
+  CHECK(std::abs(inclined.mesh_to_surface.maximum - d) < 1e-14);
+  CHECK(inclined.mesh_to_surface.farthest_point.x() == 4);
+  CHECK(inclined.surface_to_mesh.maximum < d);
+  // All four vertices lie on this surface.
+  Rectangle wave(1);
+  const auto bulge = measure_T_spline_deviation(wave.surface(), flat_rectangle(0, 0));
+  CHECK(bulge.mesh_to_surface.maximum > 0.5);
+  CHECK(bulge.surface_to_mesh.maximum > bulge.mesh_to_surface.maximum);
+  CHECK(std::abs(bulge.surface_to_mesh.farthest_point.z() - bulge.surface_to_mesh.maximum) < 1e-14);
+}
+
+TEST_CASE("a spike is far from the surface, but not the surface from the mesh", "[measure_T_spline_deviation]")
+{
+  Rectangle flat;
+  const Mesh::Surface plane = flat.surface();
+  Triangles mesh;
+  constexpr int n = 40;
+  CGAL::make_grid(
+      4 * n, 3 * n, mesh, [](const double i, const double j) { return Point_3(i / n, j / n, 0); }, true);
+  const double height = 1e4;
+  const auto apex = *std::find_if(mesh.vertices().begin(), mesh.vertices().end(),
+                                  [&](const auto v) { return mesh.point(v) == Point_3(1, 1, 0); });
+  mesh.point(apex) = Point_3(1, 1, height);
+  const auto report = measure_T_spline_deviation(plane, mesh);
+  REQUIRE(report.success());
+  CHECK(std::abs(report.mesh_to_surface.maximum / height - 1) < 1e-14);
+  CHECK(report.mesh_to_surface.farthest_point == Point_3(1, 1, height));
+  CHECK(report.surface_to_mesh.maximum < 1. / n);
+  CHECK(report.mesh_to_surface.number_of_samples < 3000000);
+  // Thin triangles of the spike: their area counts, their distance grows evenly.
+  double area = 0;
+  for (const auto f : mesh.faces())
+    area += CGAL::T_splines::internal::area(Kernel::Triangle_3(mesh.point(target(mesh.halfedge(f), mesh)),
+                                                               mesh.point(source(mesh.halfedge(f), mesh)),
+                                                               mesh.point(target(next(mesh.halfedge(f), mesh), mesh))));
+  // Of a triangle with its apex at h, the mean of the squared height is h^2 / 6.
+  const double expected = height * std::sqrt((area - 12) / area / 6);
+  CHECK(std::abs(report.mesh_to_surface.rms / expected - 1) < 0.1);
+}
+
+TEMPLATE_TEST_CASE("models of a mesh", "[measure_T_spline_deviation]", CGAL::Polyhedron_3<Kernel>,
+                   CGAL::Polyhedron_3<Inexact_kernel>, CGAL::Surface_mesh<Inexact_kernel::Point_3>)
+{
+  Torus t;
+  const Mesh::Surface surface = t.surface();
+  Triangles mesh;
+  CGAL::T_splines::tessellate_T_spline(surface, 3, mesh);
+  TestType other;
+  CGAL::copy_face_graph(mesh, other);
+  const auto np = tessellation_resolution(5);
+  const auto expected = measure_T_spline_deviation(surface, mesh, np),
+             report = measure_T_spline_deviation(surface, other, np);
+  REQUIRE(report.success());
+  CHECK(std::abs(report.mesh_to_surface.rms - expected.mesh_to_surface.rms) < 1e-14);
+  CHECK(std::abs(report.surface_to_mesh.maximum - expected.surface_to_mesh.maximum) < 1e-14);
+}
+
+TEST_CASE("degenerate faces and vertices without faces do not count", "[measure_T_spline_deviation]")
+{
+  Rectangle flat;
+  const Mesh::Surface plane = flat.surface();
+  Triangles mesh = flat_rectangle(1, 1);
+  const auto isolated = mesh.add_vertex(Point_3(100, 0, 0));
+  CGAL::make_triangle(Point_3(1, 1, 1), Point_3(1, 1, 1), Point_3(2, 2, 1), mesh);
+  CGAL::make_triangle(Point_3(1, 1, 1), Point_3(1, 1, 1), Point_3(1, 1, 1), mesh);
+  const auto distance = mesh.add_property_map<Triangles::Vertex_index, double>("v:distance", -1.).first;
+  const auto report = measure_T_spline_deviation(plane, mesh, vertex_distance_map(distance));
+  CHECK(std::abs(report.mesh_to_surface.maximum - 1) < 1e-14);
+  CHECK(std::abs(report.mesh_to_surface.rms - 1) < 1e-14);
+  CHECK(report.mesh_to_surface.extent == 4);
+  CHECK(distance[isolated] == -1);
+  // A mesh without area still has a maximum.
+  Triangles point;
+  CGAL::make_triangle(Point_3(1, 1, 1), Point_3(1, 1, 1), Point_3(1, 1, 1), point);
+  const auto degenerate = measure_T_spline_deviation(plane, point, tessellation_resolution(4));
+  REQUIRE(degenerate.success());
+  CHECK(std::abs(degenerate.mesh_to_surface.maximum - 1) < 1e-14);
+  CHECK(degenerate.mesh_to_surface.relative_maximum() == 0);
+}
+
+TEST_CASE("far from the origin and at extreme scales", "[measure_T_spline_deviation]")
+{
+  for (const double scale : {1e-60, 1e60}) {
+    Rectangle flat;
+    Triangles mesh = flat_rectangle(0, 1);
+    for (const auto v : mesh.vertices())
+      mesh.point(v) = CGAL::ORIGIN + scale * (mesh.point(v) - CGAL::ORIGIN);
+    for (const auto v : flat.mesh.vertices()) {
+      const auto p = flat.control(v).point();
+      flat.set_control(v, Point_3(scale * p.x(), scale * p.y(), scale * p.z()), 1);
+    }
+    const auto report = measure_T_spline_deviation(flat.surface(), mesh, tessellation_resolution(4));
+    REQUIRE(report.success());
+    CHECK(std::abs(report.mesh_to_surface.maximum / scale - 1) < 1e-14);
+    CHECK(std::abs(report.mesh_to_surface.rms / scale - 1 / std::sqrt(3.)) < 1e-2);
+  }
+  Rectangle distant;
+  Triangles mesh = flat_rectangle(0, 0);
+  for (const auto v : distant.mesh.vertices()) {
+    const auto p = distant.control(v).point();
+    distant.set_control(v, Point_3(1e16 + 2 * p.x(), p.y(), p.z()), 1);
+  }
+  for (const auto v : mesh.vertices())
+    mesh.point(v) = Point_3(1e16 + 2 * mesh.point(v).x(), mesh.point(v).y(), 1);
+  CHECK(measure_T_spline_deviation(distant.surface(), mesh).success());
+}
+
+TEST_CASE("bad input is reported with its place", "[measure_T_spline_deviation]")
+{
+  Rectangle flat;
+  const Mesh::Surface plane = flat.surface();
+  CHECK(measure_T_spline_deviation(plane, Triangles()).status == Status::NO_FACES);
+
+  Triangles quad = flat_rectangle(0, 0);
+  CGAL::make_quad(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0), quad);
+  const auto not_triangulated = measure_T_spline_deviation(plane, quad);
+  CHECK(not_triangulated.status == Status::NOT_TRIANGULATED);
+  CHECK(not_triangulated.face == Triangles::Face_index(2));
+  CHECK_FALSE(not_triangulated);
+  CHECK_THAT(describe(not_triangulated, quad), Catch::Contains("face 2"));
+
+  for (const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e100}) {
+    Triangles mesh = flat_rectangle(0, 0);
+    mesh.point(Triangles::Vertex_index(1)) = Point_3(0, 0, x);
+    const auto report = measure_T_spline_deviation(plane, mesh);
+    CHECK(report.status == Status::VERTEX_NOT_FINITE);
+    CHECK(report.vertex == Triangles::Vertex_index(1));
+  }
+
+  flat.set_control(*flat.mesh.vertices().begin(), Point_3(0, 0, 1e200), 1);
+  CHECK(measure_T_spline_deviation(flat.surface(), flat_rectangle(0, 0)).status == Status::SURFACE_NOT_FINITE);
+}
