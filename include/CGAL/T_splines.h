@@ -80,6 +80,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_sample.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/Tracing_traits.h>
+#include <CGAL/T_splines/T_mesh/grade_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/is_admissible.h>
 #include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>

@@ -18,7 +18,7 @@ namespace T_splines {
 enum class Adaptive_fit_status {
   WITHIN_TOLERANCE,      ///< no sample is farther from the surface than the tolerance
   CONTROL_POINT_LIMIT,   ///< refinement would need more control points than allowed
-  NO_IMPROVEMENT,        ///< two refinements in turn did not reduce the errors
+  NO_IMPROVEMENT,        ///< three refinements in turn reduced neither error by a percent
   SAMPLES_EXHAUSTED,     ///< the faces beyond the tolerance have too few samples to be refined
   INVALID_TOLERANCE,     ///< the tolerance is not a positive finite number
   LIMIT_ABOVE_SAMPLES,   ///< more control points are allowed than there are samples

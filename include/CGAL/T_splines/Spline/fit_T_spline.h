@@ -106,7 +106,7 @@ auto control_point_weights(const TMesh&, const NamedParameters& np)
 /// \param np optional named parameters:
 ///   `T_splines::parameters::fairness`: a number >= 0 (default: `default_fairness`); with 0, the samples alone must
 ///     determine all control points;
-///   `CGAL::parameters::number_of_iterations`: how often the samples are moved at most (3);
+///   `CGAL::parameters::number_of_iterations`: how often the samples are moved at most (6);
 ///   `T_splines::parameters::vertex_weight_map`: vertex -> positive number, the weights of the rational form (1);
 ///   `CGAL::parameters::sparse_linear_solver`: a model of `SparseSpdSolverTraits` (`Default_spd_solver_traits`);
 ///     `Eigen_spd_solver_traits<Eigen::ConjugateGradient<...>>` is the method of [He06];
@@ -130,7 +130,7 @@ T_spline_fit_report<TMesh> fit_T_spline(const TMesh& t_mesh, const HalfedgeKnotM
   static_assert(std::is_floating_point<FT>::value, "fits are computed in a floating point type");
   const FT fairness = FT(choose_parameter(get_parameter(np, np_tags::fairness), default_fairness));
   const int number_of_corrections =
-      static_cast<int>(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 3));
+      static_cast<int>(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 6));
   const auto visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Progress_visitor());
   auto&& solver = internal::sparse_linear_solver(np);
 

@@ -67,7 +67,8 @@ bool prepare_adaptive_fit(const TMesh& t_mesh, const HalfedgeKnotMap knots, cons
 /// approximates a surface, given by samples, by a T-spline surface within a tolerance ([He06] section 3.3): fits,
 /// refines the T-mesh where the surface is too far from the samples, and fits again.
 ///
-/// The T-mesh is made spline compatible first. In each level `fit_T_spline()` finds the control points, from the places
+/// The T-mesh is made spline compatible first, and graded: no face is more than six times as large as a neighbour, unless
+/// too few control points are allowed. In each level `fit_T_spline()` finds the control points, from the places
 /// to which the level before moved the samples. A face whose largest error exceeds twice the tolerance is divided into
 /// four then, another one beyond the tolerance into two, across its longer side on the surface; the rings around an
 /// extraordinary vertex are made half as wide where one of their faces is to be divided. The T-mesh is made spline
@@ -88,8 +89,8 @@ bool prepare_adaptive_fit(const TMesh& t_mesh, const HalfedgeKnotMap knots, cons
 ///        floating point type of the samples, and the control points, whose weights are 1; written upon success only.
 ///        \pre `out_t_mesh` is empty
 /// \param np optional named parameters:
-///   `T_splines::parameters::maximum_number_of_control_points`: a `std::size_t`, at most the number of samples (their
-///     number);
+///   `T_splines::parameters::maximum_number_of_control_points`: a `std::size_t`, at most the number of samples (a quarter
+///     of it, or as many as the coarsest spline compatible T-mesh needs);
 ///   `T_splines::parameters::fairness`, `CGAL::parameters::number_of_iterations`,
 ///   `CGAL::parameters::sparse_linear_solver`: as for `fit_T_spline()`, for each level;
 ///   `CGAL::parameters::visitor`: an `Adaptive_fit_visitor`;
@@ -123,10 +124,11 @@ fit_adaptive_T_spline(const TMesh& t_mesh, const HalfedgeKnotMap knots, const Ha
   if (!internal::prepare_adaptive_fit(t_mesh, knots, corners, samples, np, working, fitting_samples, report))
     return report;
   report.number_of_samples = fitting_samples.size();
+  const auto limit = get_parameter(np, np_tags::maximum_number_of_control_points);
   const internal::Adaptive_fit_options options{
       tolerance, choose_parameter(get_parameter(np, np_tags::fairness), default_fairness),
-      choose_parameter(get_parameter(np, np_tags::maximum_number_of_control_points), fitting_samples.size()),
-      static_cast<int>(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 3))};
+      choose_parameter(limit, fitting_samples.size() / 4), !internal::is_missing<decltype(limit)>,
+      static_cast<int>(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 6))};
   if (!(options.fairness >= 0) || !std::isfinite(options.fairness)) {
     report.status = Adaptive_fit_status::FIT_FAILED;
     report.fit.status = T_spline_fit_status::INVALID_FAIRNESS;

@@ -119,8 +119,8 @@ Deviation_sum one_way_deviation(const Triangle_set& from, const double size, con
 ///
 /// For this, the surface is tessellated. So the distances of the mesh from the surface have an error of second order in
 /// the size of the tessellation's triangles. They are measured at all vertices of the mesh and also inside of those
-/// triangles that are large compared with the tessellation's; those of the surface at the vertices of the tessellation.
-/// Means are weighted by area.
+/// triangles that are large compared with the tessellation's, as densely as about two samples per triangle of both
+/// allow; those of the surface at the vertices of the tessellation. Means are weighted by area.
 /// \tparam Surface a `T_spline_surface` or a `Compiled_T_spline`, with which this is faster
 /// \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
 /// \param surface \pre it is valid

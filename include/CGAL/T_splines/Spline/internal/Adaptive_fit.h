@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Spline/internal/T_spline_fitter.h>
 #include <CGAL/T_splines/Spline/internal/Working_t_mesh.h>
 #include <CGAL/T_splines/T_mesh/Carried_points.h>
+#include <CGAL/T_splines/T_mesh/grade_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -31,6 +32,7 @@ struct Adaptive_fit_options {
   double tolerance;                     ///< in the units of the points
   double fairness;
   std::size_t largest_number_of_control_points;
+  bool is_limit_strict;                 ///< or the coarsest T-mesh may have more
   int number_of_corrections;            ///< per level
 };
 
@@ -66,12 +68,12 @@ public:
   template <typename TMesh>
   void run(Adaptive_fit_report<TMesh>& report)
   {
-    if (!make_compatible(m_state)) {
+    if (!start()) {
       report.status = Status::NOT_SPLINE_COMPATIBLE;
       return;
     }
     const std::size_t control_points = m_state.t_mesh.mesh.number_of_vertices();
-    if (control_points > m_options.largest_number_of_control_points) {
+    if (control_points > m_options.largest_number_of_control_points && m_options.is_limit_strict) {
       report.status = Status::LIMIT_TOO_LOW;
       report.levels.push_back({control_points, m_state.t_mesh.mesh.number_of_faces(), m_state.in_rings, {}});
       return;
@@ -83,7 +85,7 @@ public:
       const T_spline_fit_error& error = report.levels.back().error;
       const std::size_t last = report.levels.size() - 1;
       const T_spline_fit_error& best = report.levels[report.best_level].error;
-      const bool improves = last == 0 || error.maximum < 0.98 * best.maximum || error.rms < 0.98 * best.rms;
+      const bool improves = last == 0 || error.maximum < 0.99 * best.maximum || error.rms < 0.99 * best.rms;
       without_improvement = improves ? 0 : without_improvement + 1;
       if (last == 0 || error.maximum < best.maximum || (improves && error.maximum < 1.02 * best.maximum)) {
         report.best_level = last;
@@ -91,7 +93,7 @@ public:
       }
       if (error.maximum <= m_options.tolerance)
         report.status = Status::WITHIN_TOLERANCE;
-      else if (without_improvement == 2)
+      else if (without_improvement == 3)
         report.status = Status::NO_IMPROVEMENT;
       else if (m_plans.empty())
         report.status = Status::SAMPLES_EXHAUSTED;
@@ -134,13 +136,30 @@ private:
       }
   }
 
-  static bool make_compatible(State& state)
+  // Makes the T-mesh spline compatible, and graded as far as the number of control points allows.
+  bool start()
+  {
+    constexpr double no_grading = 100;
+    const State given = m_state;
+    bool success = make_compatible(m_state);
+    while (success && m_state.t_mesh.mesh.number_of_vertices() > m_options.largest_number_of_control_points &&
+           m_largest_ratio < no_grading) {
+      m_state = given;
+      m_largest_ratio *= 2;
+      success = make_compatible(m_state);
+    }
+    return success;
+  }
+
+  bool make_compatible(State& state) const
   {
     Working& t = state.t_mesh;
     bool success = false;
     with_carried_samples(state, [&](const typename Carried::Visitor& visitor) {
-      const auto report =
-          CGAL::T_splines::make_spline_compatible(t.mesh, t.knots, t.corners, CGAL::parameters::visitor(visitor));
+      const auto np = CGAL::parameters::visitor(visitor);
+      auto report = CGAL::T_splines::make_spline_compatible(t.mesh, t.knots, t.corners, np);
+      if (report.success() && grade_T_mesh(t.mesh, t.knots, t.corners, m_largest_ratio, np) > 0)
+        report = CGAL::T_splines::make_spline_compatible(t.mesh, t.knots, t.corners, np);
       success = report.success();
       state.in_rings = report.vertices_in_rings;
     });
@@ -259,7 +278,7 @@ private:
   bool refine()
   {
     const std::size_t before = m_state.t_mesh.mesh.number_of_vertices(),
-                      limit = m_options.largest_number_of_control_points;
+                      limit = (std::max)(m_options.largest_number_of_control_points, before);
     std::size_t number = m_plans.size();
     while (number > 0) {
       State trial = m_state;
@@ -285,7 +304,8 @@ private:
   const Visitor& m_visitor;
   State m_state;
   Working m_best;
-  std::vector<Plan> m_plans; // of the last level, the largest errors first
+  std::vector<Plan> m_plans;  // of the last level, the largest errors first
+  double m_largest_ratio = 6; // of the sizes of neighbouring faces: rings may be much smaller than what surrounds them
 };
 
 } // namespace internal

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_FITTING_SYSTEM_H
 
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
+#include <CGAL/T_splines/Solver/preconditioned_conjugate_gradients.h>
 #include <CGAL/T_splines/Spline/internal/Face_functions.h>
 #include <CGAL/T_splines/Spline/internal/T_spline_basis.h>
 #include <CGAL/T_splines/Spline/internal/Thin_plate_energy.h>
@@ -121,44 +122,95 @@ public:
     }
   }
 
-  /// Solves for the control points, three coordinates per vertex.
-  /// \param is_analyzed whether the solver knows the pattern
+  /// Solves for the control points by a factorization.
   /// \return false if the solver fails: the matrix is singular to working precision
   template <typename SolverTraits>
-  bool solve(const FT& lambda, SolverTraits& solver, const bool is_analyzed, std::vector<std::array<FT, 3>>& points)
+  bool solve(const FT& lambda, SolverTraits& solver, std::vector<std::array<FT, 3>>& points)
   {
-    for (std::size_t i = 0; i < m_matrix.value.size(); ++i)
-      m_matrix.value[i] = m_distance[i] + (m_fairness.empty() ? FT(0) : lambda * m_fairness[i]);
-    scale();
-    if (!is_analyzed && !solver.analyze_pattern(m_matrix))
+    set_matrix(lambda);
+    find_scale();
+    scale_matrix();
+    const bool is_factorized = (m_is_analyzed || solver.analyze_pattern(m_matrix)) && solver.factorize(m_matrix);
+    m_is_analyzed = true;
+    points.assign(m_number_of_vertices, {FT(0), FT(0), FT(0)});
+    if (!is_factorized)
       return false;
-    if (!solver.factorize(m_matrix))
-      return false;
-    points.resize(m_number_of_vertices);
-    std::vector<FT> solution, right(m_number_of_vertices);
     for (int k = 0; k < 3; ++k) {
-      for (int v = 0; v < m_number_of_vertices; ++v)
-        right[v] = m_right[k][v] * m_scale[v];
-      if (!solver.solve(right, solution))
+      if (!solver.solve(scaled_right_hand_side(k), m_solution))
         return false;
       for (int v = 0; v < m_number_of_vertices; ++v)
-        points[v][k] = solution[v] * m_scale[v];
+        points[v][k] = m_solution[v] * m_scale[v];
+    }
+    return true;
+  }
+
+  /// Solves again, after a small change of the samples: by conjugate gradients from the given control points, with the
+  /// last factorization as the preconditioner, or by a new one if this does not do.
+  template <typename SolverTraits>
+  bool solve_again(const FT& lambda, SolverTraits& solver, std::vector<std::array<FT, 3>>& points)
+  {
+    constexpr int largest_number_of_iterations = 40;
+    constexpr FT tolerance = FT(1e-9);
+    set_matrix(lambda);
+    scale_matrix();
+    for (int k = 0; k < 3; ++k) {
+      std::vector<FT> right = scaled_right_hand_side(k), product;
+      const FT norm = norm_of(right);
+      m_solution.resize(m_number_of_vertices);
+      for (int v = 0; v < m_number_of_vertices; ++v)
+        m_solution[v] = points[v][k] / m_scale[v];
+      m_matrix.multiply(m_solution, product);
+      for (int v = 0; v < m_number_of_vertices; ++v)
+        right[v] -= product[v];
+      const FT rest = norm_of(right);
+      if (rest <= tolerance * norm)
+        continue;
+      const int iterations =
+          preconditioned_conjugate_gradients(m_matrix, solver, right, m_solution, FT(tolerance * norm / rest),
+                                             largest_number_of_iterations, m_workspace);
+      if (iterations == largest_number_of_iterations)
+        return solve(lambda, solver, points);
+      for (int v = 0; v < m_number_of_vertices; ++v)
+        points[v][k] += m_solution[v] * m_scale[v];
     }
     return true;
   }
 
 private:
+  void set_matrix(const FT& lambda)
+  {
+    for (std::size_t i = 0; i < m_matrix.value.size(); ++i)
+      m_matrix.value[i] = m_distance[i] + (m_fairness.empty() ? FT(0) : lambda * m_fairness[i]);
+  }
+
   // Faces are of very different sizes: with a diagonal of ones, a small pivot means dependence.
-  void scale()
+  void find_scale()
   {
     m_scale.resize(m_number_of_vertices);
     for (int v = 0; v < m_number_of_vertices; ++v) {
       const FT& diagonal = m_matrix.value[m_matrix.column_begin[v]];
       m_scale[v] = diagonal > FT(0) ? FT(1) / std::sqrt(diagonal) : FT(1);
     }
+  }
+
+  void scale_matrix()
+  {
     for (int v = 0; v < m_number_of_vertices; ++v)
       for (int i = m_matrix.column_begin[v]; i < m_matrix.column_begin[v + 1]; ++i)
         m_matrix.value[i] *= m_scale[v] * m_scale[m_matrix.row[i]];
+  }
+
+  std::vector<FT> scaled_right_hand_side(const int k) const
+  {
+    std::vector<FT> result(m_number_of_vertices);
+    for (int v = 0; v < m_number_of_vertices; ++v)
+      result[v] = m_right[k][v] * m_scale[v];
+    return result;
+  }
+
+  static FT norm_of(const std::vector<FT>& x)
+  {
+    return std::sqrt(std::inner_product(x.begin(), x.end(), x.begin(), FT(0)));
   }
 
   void find_pattern()
@@ -228,7 +280,10 @@ private:
   int m_number_of_vertices;
   Matrix m_matrix;
   std::vector<FT> m_distance, m_fairness; // the entries of the matrices of E_dist and E_fair
-  std::vector<FT> m_scale;                // per vertex
+  std::vector<FT> m_scale;                // per vertex: of its row and column in m_matrix
+  bool m_is_analyzed = false;
+  std::vector<FT> m_solution;
+  Conjugate_gradients_workspace<FT> m_workspace;
   std::array<std::vector<FT>, 3> m_right;
   Dense m_rows, m_square, m_points, m_product;
 };

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_PARAMETER_CORRECTION_H
 
 #include <CGAL/T_splines/Spline/internal/Fitting_system.h>
+#include <CGAL/T_splines/Spline/internal/T_spline_basis.h>
 #include <CGAL/T_splines/T_mesh/internal/T_mesh_arrays.h>
 
 #include <algorithm>
@@ -72,16 +73,24 @@ Indexed_place<FT> moved(const T_mesh_arrays<FT>& t_mesh, Indexed_place<FT> p, FT
 /// Moves the places of samples towards the closest points of a surface nearby (Hoschek, Intrinsic parametrization for
 /// approximation, 1988), by some Gauss-Newton steps. A sample is moved only if it comes closer. It does not jump to
 /// another sheet of the surface, however close that one is.
-/// \tparam Surface a `T_spline_surface`
-template <typename Surface>
+///
+/// The compiled surface, which is evaluated several times as fast, stands for the surface.
+/// \tparam Compiled a `Compiled_T_spline`
+template <typename Compiled>
 class Parameter_correction {
-  using FT = typename Surface::FT;
-  using Point_3 = typename Surface::Point_3;
-  using Vector_3 = typename Surface::Vector_3;
+  using FT = typename Compiled::FT;
+  using Point_3 = typename Compiled::Point_3;
+  using Vector_3 = typename Compiled::Vector_3;
   using Sample = Fitting_sample<FT>;
 
 public:
-  explicit Parameter_correction(const Surface& surface) : m_surface(surface), m_t_mesh(surface.t_mesh_arrays()) {}
+  /// \param basis of the surface that was compiled
+  Parameter_correction(const Compiled& surface, const T_spline_basis<FT>& basis)
+    : m_surface(surface),
+      m_basis(basis),
+      m_t_mesh(surface.t_mesh_arrays())
+  {
+  }
 
   void operator()(Sample& sample) const
   {
@@ -95,22 +104,18 @@ public:
     trial.u += FT(trial.u < width / FT(2) ? 0.1 : -0.1) * width;
     trial.v += FT(trial.v < height / FT(2) ? 0.1 : -0.1) * height;
     descend(trial);
-    if (squared_distance(trial) < squared_distance(sample))
+    if (squared_distance({trial.face, trial.u, trial.v}, sample) <
+        squared_distance({sample.face, sample.u, sample.v}, sample))
       sample = trial;
-  }
-
-  FT squared_distance(const Sample& sample) const
-  {
-    return squared_distance({sample.face, sample.u, sample.v}, sample);
   }
 
 private:
   bool is_at_extraordinary_vertex(const Sample& sample) const
   {
-    const int c = m_surface.basis().cone_face_of(sample.face);
+    const int c = m_basis.cone_face_of(sample.face);
     if (c < 0)
       return false;
-    const std::pair<FT, FT> p = m_surface.basis().cone_faces()[c].to_unit_square(sample.u, sample.v);
+    const std::pair<FT, FT> p = m_basis.cone_faces()[c].to_unit_square(sample.u, sample.v);
     constexpr FT tolerance = FT(1e-9);
     return p.first <= tolerance && p.second <= tolerance;
   }
@@ -152,13 +157,14 @@ private:
         sample.face = place.face;
         sample.u = place.u;
         sample.v = place.v;
-        return factor * length > FT(1e-4);
+        return factor * length > FT(1e-3);
       }
     }
     return false;
   }
 
-  const Surface& m_surface;
+  const Compiled& m_surface;
+  const T_spline_basis<FT>& m_basis;
   const T_mesh_arrays<FT>& m_t_mesh;
 };
 

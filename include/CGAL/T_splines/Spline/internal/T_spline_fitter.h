@@ -6,11 +6,13 @@
 
 #include <CGAL/T_splines/Spline/T_spline_fit_report.h>
 #include <CGAL/T_splines/Spline/T_spline_surface.h>
+#include <CGAL/T_splines/Spline/compile_T_spline.h>
 #include <CGAL/T_splines/Spline/internal/Fitting_system.h>
 #include <CGAL/T_splines/Spline/internal/Parameter_correction.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/squared_distance_3.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -57,6 +59,7 @@ public:
   using FT = typename Kernel::FT;
   using Point_3 = typename Kernel::Point_3;
   using Surface = T_spline_surface<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Control_points, Kernel>;
+  using Compiled = Compiled_T_spline<TMesh, Kernel>;
   using Sample = Fitting_sample<FT>;
 
   /// \param weights vertex -> positive number
@@ -103,10 +106,13 @@ public:
       weights.push_back(p[3]);
     Fitting_system<FT> system(m_surface.basis(), weights);
     const FT lambda = fairness > FT(0) ? set_fairness(samples, fairness, system) : FT(0);
-    if (!solve(system, samples, lambda, solver, false)) {
+    system.set_samples(samples);
+    std::vector<std::array<FT, 3>> points;
+    if (!system.solve(lambda, solver, points)) {
       report.status = T_spline_fit_status::UNDERDETERMINED;
       return;
     }
+    set_control_points(points);
     measure(samples, report);
     report.first_error = report.error;
     while (report.number_of_corrections < number_of_corrections && report.error.rms > 0) {
@@ -115,7 +121,7 @@ public:
         report.status = T_spline_fit_status::INTERRUPTED;
         return;
       }
-      if (!correct(system, samples, lambda, solver, report))
+      if (!correct(system, samples, lambda, solver, points, report))
         return;
     }
   }
@@ -148,18 +154,6 @@ private:
     return fairness * squared_spacing * squared_spacing;
   }
 
-  template <typename SolverTraits>
-  bool solve(Fitting_system<FT>& system, const std::vector<Sample>& samples, const FT& lambda, SolverTraits& solver,
-             const bool is_analyzed)
-  {
-    system.set_samples(samples);
-    std::vector<std::array<FT, 3>> points;
-    if (!system.solve(lambda, solver, is_analyzed, points))
-      return false;
-    set_control_points(points);
-    return true;
-  }
-
   void set_control_points(const std::vector<std::array<FT, 3>>& points)
   {
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -174,20 +168,22 @@ private:
   // One round. Returns whether another one may help.
   template <typename SolverTraits>
   bool correct(Fitting_system<FT>& system, std::vector<Sample>& samples, const FT& lambda, SolverTraits& solver,
-               T_spline_fit_report<TMesh>& report)
+               std::vector<std::array<FT, 3>>& points, T_spline_fit_report<TMesh>& report)
   {
     const std::vector<Sample> old_samples = samples;
     const std::vector<FT> old_distances = m_squared_distances;
     const T_spline_fit_report<TMesh> old_report = report;
-    std::vector<std::array<FT, 3>> old_points;
-    for (const auto& p : m_surface.homogeneous_control_points())
-      old_points.push_back({p[0] / p[3], p[1] / p[3], p[2] / p[3]});
-    const Parameter_correction<Surface> correction(m_surface);
+    const std::vector<std::array<FT, 3>> old_points = points;
+    const Compiled compiled = compile_T_spline(m_surface);
+    const Parameter_correction<Compiled> correction(compiled, m_surface.basis());
     for (Sample& sample : samples)
       correction(sample);
-    const bool is_solved = solve(system, samples, lambda, solver, true);
-    if (is_solved)
+    system.set_samples(samples);
+    const bool is_solved = system.solve_again(lambda, solver, points);
+    if (is_solved) {
+      set_control_points(points);
       measure(samples, report);
+    }
     if (!is_solved || !(report.error.rms < old_report.error.rms)) {
       samples = old_samples;
       m_squared_distances = old_distances;
@@ -201,11 +197,12 @@ private:
 
   void measure(const std::vector<Sample>& samples, T_spline_fit_report<TMesh>& report)
   {
-    const Parameter_correction<Surface> correction(m_surface);
     m_squared_distances.clear();
     FT sum(0), weight(0);
     for (const Sample& sample : samples) {
-      m_squared_distances.push_back(correction.squared_distance(sample));
+      const Point_3 p = m_surface.position(m_surface.indexing().face(sample.face), sample.u, sample.v);
+      m_squared_distances.push_back(
+          CGAL::squared_distance(p, Point_3(sample.point[0], sample.point[1], sample.point[2])));
       sum += sample.weight * m_squared_distances.back();
       weight += sample.weight;
     }
