@@ -2,8 +2,8 @@
 # Copyright (c) 2026 The T_splines authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Installs what the examples need (on Debian), builds the program mesh_to_t_spline in build/ and runs it on a real mesh,
-# or on the one that is given: examples/demo.sh [MESH [OPTION...]]. Results are in demo_output/.
+# Installs what the examples need (on Debian), builds the program mesh_to_t_spline in build/ and turns a real mesh,
+# or the one that is given, into a T-spline surface: examples/demo.sh [MESH [OPTION...]]. Results are in demo_output/.
 
 set -euo pipefail
 directory=$PWD

@@ -20,6 +20,9 @@ public:
     : m_usage(std::move(usage)), m_flags(std::move(flags)), m_options(std::move(options))
   {}
 
+  /// says that the program has an input of its own if no file is given.
+  void allow_no_files() { m_needs_files = false; }
+
   /// reads the command line. \return `false` if the program has to end, with `exit_code()`.
   bool parse(const int argc, const char* const* argv)
   {
@@ -38,7 +41,7 @@ public:
       else
         m_files.push_back(word);
     }
-    return !m_files.empty() || fail("no mesh is given");
+    return !m_files.empty() || !m_needs_files || fail("no mesh is given");
   }
 
   int exit_code() const { return m_exit_code; }
@@ -71,6 +74,7 @@ private:
   std::set<std::string> m_flags, m_options;
   std::map<std::string, std::string> m_values;
   std::vector<std::string> m_files;
+  bool m_needs_files = true;
   int m_exit_code = 0;
 };
 

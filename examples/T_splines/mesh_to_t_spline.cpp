@@ -3,13 +3,15 @@
 
 // From a mesh, or a seamless map, to a T-spline surface: see help_text in mesh_to_t_spline/Options.h.
 
+#include "mesh_to_t_spline/Failure.h"
 #include "mesh_to_t_spline/Figures.h"
 #include "mesh_to_t_spline/Options.h"
+#include "mesh_to_t_spline/Options_parser.h"
 #include "mesh_to_t_spline/Output_files.h"
 #include "mesh_to_t_spline/Progress.h"
 #include "mesh_to_t_spline/Refined_map.h"
+#include "mesh_to_t_spline/Results.h"
 #include "mesh_to_t_spline/Summary.h"
-#include "mesh_to_t_spline/exact_map_stage.h"
 #include "mesh_to_t_spline/guidance.h"
 #include "mesh_to_t_spline/map_computation.h"
 #include "mesh_to_t_spline/t_mesh_stage.h"
@@ -22,12 +24,15 @@
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 
 #include <csignal>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
 #include <new>
+#include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -86,16 +91,21 @@ private:
     return false;
   }
 
-  const std::string& input_file() const { return m_options.uv.empty() ? m_options.mesh : m_options.uv; }
+  bool goes_on(const Failure& failure)
+  {
+    if (interruption_flag != 0)
+      return fail(exit_interrupted, "interrupted");
+    return !failure || fail(failure.is_bad_input ? exit_bad_input : exit_failure, failure.message);
+  }
 
   bool end_reading(const CGAL::T_splines::Mesh_reading_report& report, Mesh& mesh)
   {
     m_progress.end_stage();
     if (!report.success())
-      return fail(exit_bad_input, input_file() + ": " + describe(report));
-    m_figures.input = input_figures(mesh, input_file(), note(report));
+      return fail(exit_bad_input, m_options.input_file() + ": " + describe(report));
+    m_figures.input = input_figures(mesh, m_options.input_file(), note(report));
     if (!m_figures.input.note.empty() && !m_options.is_quiet)
-      std::cerr << input_file() << ": note: " << m_figures.input.note << "\n";
+      std::cerr << m_options.input_file() << ": note: " << m_figures.input.note << "\n";
     return true;
   }
 
@@ -116,91 +126,18 @@ private:
   bool find_map()
   {
     Signature signature;
-    const Guidance_result guidance =
-        find_signature(m_options, m_results.input, m_solver, m_progress, signature, m_figures.signature);
-    if (interruption_flag != 0)
-      return fail(exit_interrupted, "interrupted");
-    if (!guidance.message.empty())
-      return fail(guidance.is_bad_input ? exit_bad_input : exit_failure, guidance.message);
-    const std::string failure = compute_map(m_options, m_results.input, signature, m_solver, m_progress,
-                                            m_results.refined, m_figures.map.emplace());
-    if (!failure.empty())
-      return fail(exit_failure, m_options.mesh + ": " + failure);
-    m_results.has_map = true;
-    return interruption_flag == 0 || fail(exit_interrupted, "interrupted");
+    m_results.has_map =
+        goes_on(find_signature(m_options, m_results.input, m_solver, m_progress, signature, m_figures.signature)) &&
+        goes_on(compute_map(m_options, m_results.input, signature, m_solver, m_progress, m_results.refined,
+                            m_figures.map.emplace()));
+    return m_results.has_map;
   }
 
   bool make_t_mesh()
   {
-    m_progress.begin_stage("exact map");
-    Exact_map map(m_results.refined.mesh);
-    const bool is_given = !m_results.has_map;
-    std::string failure = compute_exact_map(m_results.refined, map, m_figures.exact_map.emplace());
-    if (!failure.empty())
-      return fail(is_given ? exit_bad_input : exit_failure, input_file() + ": " + failure);
-    if (is_given)
-      take_structure(map, m_results.refined, m_figures.signature);
-    failure = trace_t_mesh(map, m_progress, m_results.t_mesh, m_figures.t_mesh.emplace());
-    if (!failure.empty())
-      return fail(exit_failure, input_file() + ": " + failure);
-    m_results.traced = drawing_of(m_results.t_mesh);
-    if (m_options.is_regularized) {
-      failure = regularize(map, m_progress, m_results.t_mesh, m_figures.t_mesh->regularization.emplace());
-      if (!failure.empty())
-        return fail(exit_failure, input_file() + ": " + failure);
-      m_results.regularized = drawing_of(m_results.t_mesh);
-    }
-    m_results.has_t_mesh = true;
-    if (interruption_flag != 0)
-      return fail(exit_interrupted, "interrupted");
-    return m_options.has_spline ? make_t_spline(map) : finish_t_mesh();
-  }
-
-  bool finish_t_mesh()
-  {
-    m_results.t_mesh.mesh.collect_garbage(); // not before: roots and samples name faces
-    return interruption_flag == 0 || fail(exit_interrupted, "interrupted");
-  }
-
-  bool make_t_spline(const Exact_map& map)
-  {
-    Surface_t_mesh& t = m_results.t_mesh;
-    T_spline_figures& figures = m_figures.t_spline.emplace();
-    const double diagonal = diagonal_of(map.mesh());
-    std::string failure = refine(m_progress, t, m_options.face_size * diagonal, figures);
-    if (failure.empty())
-      failure = make_compatible(m_progress, t, figures);
-    if (failure.empty())
-      failure = place(map, m_progress, t);
-    if (!failure.empty())
-      return fail(exit_failure, input_file() + ": " + failure + " (--no-spline ends with the T-mesh)");
-    if (!finish_t_mesh())
-      return false;
-    m_progress.begin_stage("surface");
-    const T_spline surface(t.mesh, t.knots, t.corners, t.mesh.points());
-    if (!surface.is_valid())
-      return fail(exit_failure, input_file() + ": " + describe(surface.report(), t.mesh));
-    m_results.t_spline = CGAL::T_splines::compile_T_spline(surface);
-    m_results.resolution = m_options.resolution;
-    m_progress.begin_stage("drawing");
-    m_results.surface = drawing_of(surface, t, 400000);
-    m_progress.end_stage();
-    set_figures(surface, diagonal, figures);
-    return interruption_flag == 0 || fail(exit_interrupted, "interrupted");
-  }
-
-  void set_figures(const T_spline& surface, const double diagonal, T_spline_figures& figures) const
-  {
-    figures.t_mesh = figures_of(m_results.t_mesh);
-    figures.control_points = surface.number_of_control_points();
-    figures.patches = m_results.t_spline->number_of_patches();
-    figures.rings = m_results.t_spline->number_of_rings();
-    figures.cap_deviation = m_results.t_spline->cap_deviation() / diagonal;
-    figures.tessellation_triangles = m_results.surface.triangles.size() / 3;
-    const Surface_t_mesh& t = m_results.t_mesh;
-    for (const T_mesh::Vertex_index v : t.mesh.vertices())
-      if (CGAL::T_splines::is_extraordinary(v, t.mesh, t.corners))
-        ++figures.valences[CGAL::T_splines::extended_valence(v, t.mesh, t.corners)];
+    return goes_on(::make_t_mesh(m_options, m_progress, m_results, m_figures)) &&
+           (!m_options.has_spline ||
+            goes_on(make_t_spline(m_options, m_solver, m_progress, m_results, m_figures.t_spline.emplace())));
   }
 
   bool write()
@@ -232,6 +169,13 @@ private:
   Results m_results;
 };
 
+void print_help(std::ostream& out)
+{
+  constexpr std::string_view mark = "@fairness@";
+  const std::size_t position = help_text.find(mark);
+  out << help_text.substr(0, position) << default_fairness() << help_text.substr(position + mark.size());
+}
+
 } // namespace
 
 int main(const int argc, char** argv)
@@ -239,7 +183,7 @@ int main(const int argc, char** argv)
   Options options;
   std::string error = Options_parser(argc, argv).parse(options);
   if (error.empty() && options.asks_help) {
-    std::cout << help_text;
+    print_help(std::cout);
     return EXIT_SUCCESS;
   }
   if (error.empty() && options.asks_version) {

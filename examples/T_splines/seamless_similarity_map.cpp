@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Maps a mesh as a smooth cross field says and looks at what comes with the map: the cut, the transitions across it, and
-// the place of every vertex on the input.
+// Maps a mesh as a smooth cross field with few cones says and looks at what comes with the map: the cut, the
+// transitions across it, and the place of every vertex on the input.
 //
 //   seamless_similarity_map [MESH [OUTPUT.obj]]
 
@@ -53,6 +53,8 @@ int main(int argc, char* argv[])
   const auto signature_report = T::holonomy_signature_of_cross_field(mesh, cross_field, signature);
   if (!signature_report.success())
     return failure(mesh_file, signature_report.status);
+  if (const auto cone_report = T::reduce_cones(mesh, signature); !cone_report.success())
+    return failure(mesh_file, cone_report.status);
 
   // The map lives on a refinement of the mesh. Only uv is asked for; the rest is optional.
   const auto uv = refined.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;

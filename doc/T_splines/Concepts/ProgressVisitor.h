@@ -25,7 +25,8 @@ public:
 
   /*!
   is called when a stage begins.
-  \param name a string literal: "cross field"; "similarity metric", "layout", "subdivision", "output".
+  \param name a string literal: "cross field"; "cone reduction"; "similarity metric", "layout", "subdivision", "output";
+         "tracing", "T-mesh".
   */
   void begin_stage(const char* name) const;
 
@@ -37,7 +38,7 @@ public:
   void progress(double fraction) const;
 
   /*!
-  is asked from time to time while a cross field or a metric is computed.
+  is asked from time to time while a cross field, a metric, a motorcycle graph or a fit is computed.
   \return `false` to end the computation with the status `INTERRUPTED`. Nothing is written then.
   */
   bool go_on() const;

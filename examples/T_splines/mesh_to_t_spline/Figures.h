@@ -39,8 +39,14 @@ struct Figures {
     std::size_t vertices = 0, edges = 0, faces = 0, components = 0;
     long genus = 0; ///< of all components together
   };
+  /// What was done to the cones of a computed field.
+  struct Cone_reduction {
+    int cones_before = 0, cones = 0, merges = 0;
+    double energy_before = 0, energy = 0;
+  };
   struct Signature {
     std::string source;
+    std::optional<Cone_reduction> reduction;
     std::vector<std::pair<std::size_t, int>> cones; ///< vertex of the input, quarter turns
     std::vector<int> loops;
   };
@@ -57,6 +63,7 @@ struct Figures {
   struct Stage {
     std::string name;
     double seconds;
+    std::size_t peak_memory_bytes; ///< of the program until the stage's end; 0: not known
   };
 
   std::string version;
@@ -90,6 +97,14 @@ inline void write_signature_figures(CGAL::T_splines::internal::Json_writer& json
 {
   json.key("signature").begin_object();
   json.member("source", signature.source);
+  if (signature.reduction) {
+    const Figures::Cone_reduction& reduction = *signature.reduction;
+    json.key("cone_reduction").begin_object();
+    json.member("cones_before", reduction.cones_before).member("cones", reduction.cones);
+    json.member("merges", reduction.merges);
+    json.member("energy_before", reduction.energy_before).member("energy", reduction.energy);
+    json.end_object();
+  }
   json.key("cones").begin_array();
   for (const auto& [vertex, k] : signature.cones)
     json.begin_object().member("vertex", vertex).member("quarter_turns", k).end_object();
@@ -151,7 +166,11 @@ inline std::string figures_as_json(const Figures& figures)
     write_t_spline_figures(json, *figures.t_spline);
   json.key("stages").begin_array();
   for (const Figures::Stage& stage : figures.stages)
-    json.begin_object().member("name", stage.name).member("seconds", stage.seconds).end_object();
+    json.begin_object()
+        .member("name", stage.name)
+        .member("seconds", stage.seconds)
+        .member("peak_memory_bytes", stage.peak_memory_bytes)
+        .end_object();
   json.end_array();
   json.member("seconds", figures.seconds).member("peak_memory_bytes", figures.peak_memory_bytes);
   json.end_object();

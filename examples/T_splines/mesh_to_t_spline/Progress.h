@@ -11,11 +11,11 @@
 #include <csignal>
 #include <cstddef>
 #include <cstdio>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #if defined(__unix__) || defined(__APPLE__)
-#include <sys/resource.h>
 #include <unistd.h>
 #endif
 
@@ -26,6 +26,19 @@ inline void request_interruption(const int signal)
 {
   interruption_flag = 1;
   std::signal(signal, SIG_DFL);
+}
+
+/// The largest memory that the program has had so far; 0 if the system does not tell.
+inline std::size_t peak_memory_bytes()
+{
+  // What getrusage() tells may be that of the program which started this one.
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  std::size_t kilobytes = 0;
+  while (status >> word)
+    if (word == "VmHWM:" && status >> kilobytes)
+      return kilobytes * 1024;
+  return 0;
 }
 
 /// Measures the stages of the run and shows them on a terminal.
@@ -57,12 +70,15 @@ public:
     const auto stage =
         std::find_if(m_stages.begin(), m_stages.end(), [this](const auto& s) { return s.name == m_name; });
     if (stage == m_stages.end())
-      m_stages.push_back({m_name, seconds});
-    else
+      m_stages.push_back({m_name, seconds, peak_memory_bytes()});
+    else {
       stage->seconds += seconds;
+      stage->peak_memory_bytes = peak_memory_bytes();
+    }
     if (m_is_shown)
-      std::fprintf(stderr, "\r\033[K%-20s %8.2f s\n", m_name.c_str(), seconds);
+      std::fprintf(stderr, "\r\033[K%-17s        %8.2f s   %s\n", m_name.c_str(), seconds, m_note.c_str());
     m_name.clear();
+    m_note.clear();
   }
 
   void progress(const double fraction)
@@ -70,6 +86,13 @@ public:
     constexpr double interval = 0.05;
     if (m_is_shown && seconds_since(m_shown) >= interval)
       show(fraction);
+  }
+
+  /// shows a few words until the stage ends.
+  void set_note(const std::string& note, const double fraction)
+  {
+    m_note = note;
+    show(fraction);
   }
 
   const std::vector<Figures::Stage>& stages() const
@@ -94,12 +117,13 @@ private:
     if (!m_is_shown)
       return;
     m_shown = Clock::now();
-    std::fprintf(stderr, "\r\033[K%-20s %7.0f %%", m_name.c_str(), 100 * std::clamp(fraction, 0., 1.));
+    std::fprintf(stderr, "\r\033[K%-17s %3.0f %%  %8.2f s   %s", m_name.c_str(), 100 * std::clamp(fraction, 0., 1.),
+                 seconds_since(m_stage_begin), m_note.c_str());
     std::fflush(stderr);
   }
 
   bool m_is_shown;
-  std::string m_name;
+  std::string m_name, m_note;
   Clock::time_point m_begin = Clock::now(), m_stage_begin = m_begin, m_shown = m_begin;
   std::vector<Figures::Stage> m_stages;
 };
@@ -115,16 +139,5 @@ public:
 private:
   Progress* m_progress;
 };
-
-/// The largest memory that the program has had so far; 0 if the system does not tell.
-inline std::size_t peak_memory_bytes()
-{
-#if defined(__unix__)
-  rusage usage = {};
-  if (::getrusage(RUSAGE_SELF, &usage) == 0)
-    return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
-#endif
-  return 0;
-}
 
 #endif // MESH_TO_T_SPLINE_PROGRESS_H

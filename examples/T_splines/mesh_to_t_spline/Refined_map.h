@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Similarity_map/Similarity_2.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -90,6 +91,19 @@ private:
   const Refined_map& m_refined;
   std::vector<std::optional<Edge>> m_edge_of_added_vertex;
 };
+
+inline double diagonal_of(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+/// The longest side of the bounding box: that of the cube which encloses the mesh.
+inline double longest_side_of(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  return std::max({box.x_span(), box.y_span(), box.z_span()});
+}
 
 /// The rotations and scale factors across the cut, each together with its inverse.
 inline std::vector<Figures::Transition> distinct_transitions(const Refined_map& refined)

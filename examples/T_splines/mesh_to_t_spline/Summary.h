@@ -10,6 +10,8 @@
 #include <iomanip>
 #include <map>
 #include <ostream>
+#include <sstream>
+#include <string>
 #include <vector>
 
 inline void print_cones(std::ostream& out, const Figures::Signature& signature)
@@ -17,7 +19,11 @@ inline void print_cones(std::ostream& out, const Figures::Signature& signature)
   std::map<int, std::size_t> counts;
   for (const auto& cone : signature.cones)
     ++counts[cone.second];
-  out << "  signature   " << signature.source << ": " << signature.cones.size() << " cones";
+  out << "  signature   " << signature.source << ": ";
+  if (signature.reduction && signature.reduction->merges > 0)
+    out << signature.reduction->cones_before << " cones reduced to " << signature.cones.size();
+  else
+    out << signature.cones.size() << (signature.cones.size() == 1 ? " cone" : " cones");
   const char* separator = " (";
   for (const auto& [k, count] : counts) {
     out << separator << "k = " << k << ": " << count;
@@ -78,13 +84,59 @@ inline void print_tracing(std::ostream& out, const Tracing_figures& tracing)
       << tracing.predicate_calls << " predicate calls answered by the filter\n";
 }
 
+/// A share in percent, with `digits` digits.
+inline std::string percent(const double share, const int digits = 3)
+{
+  std::ostringstream text;
+  text << std::setprecision(digits) << 100 * share << " %";
+  return text.str();
+}
+
+/// The levels of the fit, one line each.
+inline void print_levels(std::ostream& out, const T_spline_figures& spline)
+{
+  out << "  fitting     level  control points  in rings        rms        max  (of the longest side)\n";
+  for (std::size_t i = 0; i < spline.levels.size(); ++i) {
+    const T_spline_figures::Level& level = spline.levels[i];
+    out << std::setw(19) << i << std::setw(16) << level.control_points << std::setw(10) << level.control_points_in_rings
+        << std::setw(11) << percent(level.error.rms) << std::setw(11) << percent(level.error.maximum)
+        << (i == spline.best_level && i + 1 < spline.levels.size() ? "  the best\n" : "\n");
+  }
+}
+
 inline void print_t_spline(std::ostream& out, const T_spline_figures& spline)
 {
-  out << "  T-spline    " << spline.control_points << " control points, " << spline.t_mesh.faces << " faces, "
-      << spline.t_mesh.t_joints << " T-joints; " << spline.vertices_in_rings
-      << " control points in the rings around extraordinary vertices\n"
-      << "  patches     " << spline.patches << " Bezier patches; caps at extraordinary vertices off by "
-      << std::setprecision(2) << spline.cap_deviation << " of the diagonal\n";
+  print_levels(out, spline);
+  out << "              " << spline.ending() << " (" << percent(spline.tolerance) << ")\n";
+  const T_spline_figures::Level& level = spline.level();
+  out << "  T-spline    " << level.control_points << " control points, " << level.control_points_in_rings
+      << " of them in the rings around extraordinary vertices; " << spline.t_mesh.faces << " faces, "
+      << spline.t_mesh.t_joints << " T-joints\n";
+  if (spline.deviation)
+    out << "  deviation   surface to mesh: rms " << percent(spline.deviation->surface_to_mesh.rms) << ", max "
+        << percent(spline.deviation->surface_to_mesh.maximum) << "; mesh to surface: rms "
+        << percent(spline.deviation->mesh_to_surface.rms) << ", max "
+        << percent(spline.deviation->mesh_to_surface.maximum) << "\n";
+  out << "  patches     " << spline.patches << " Bezier patches; caps at extraordinary vertices off by "
+      << percent(spline.cap_deviation, 2) << "\n";
+}
+
+/// The time in all, and that of the stages that take a while.
+inline void print_time(std::ostream& out, const Figures& figures)
+{
+  constexpr double a_while = 0.02; // as a share of all
+  out << "  time        " << std::fixed << std::setprecision(2) << figures.seconds << " s";
+  const char* separator = " (";
+  for (const Figures::Stage& stage : figures.stages) {
+    if (stage.seconds < a_while * figures.seconds)
+      continue;
+    out << separator << stage.name << " " << stage.seconds;
+    separator = ", ";
+  }
+  out << (*separator == ',' ? ")" : "");
+  if (figures.peak_memory_bytes > 0)
+    out << ", " << std::setprecision(0) << static_cast<double>(figures.peak_memory_bytes) / (1 << 20) << " MB";
+  out << "\n";
 }
 
 /// What the user reads at the end.
@@ -116,16 +168,7 @@ inline void print_summary(std::ostream& out, const Figures& figures)
   }
   if (figures.t_spline)
     print_t_spline(out, *figures.t_spline);
-  out << "  time        " << std::fixed << std::setprecision(2) << figures.seconds << " s";
-  const char* separator = " (";
-  for (const Figures::Stage& stage : figures.stages) {
-    out << separator << stage.name << " " << stage.seconds;
-    separator = ", ";
-  }
-  out << ")";
-  if (figures.peak_memory_bytes > 0)
-    out << ", " << std::setprecision(0) << static_cast<double>(figures.peak_memory_bytes) / (1 << 20) << " MB";
-  out << "\n";
+  print_time(out, figures);
 }
 
 #endif // MESH_TO_T_SPLINE_SUMMARY_H

@@ -20,6 +20,7 @@ struct Surface_drawing {
   std::vector<Kernel::Vector_3> normals;    ///< per point: of length 1
   std::vector<double> mean_curvature;       ///< per point: 1/r on a sphere of radius r whose normals point out of it;
                                             ///< NaN where undefined (at extraordinary points)
+  std::vector<double> deviation;            ///< per point: its distance from the mesh, by the longest side of the box
   std::vector<std::uint32_t> triangles;     ///< 3 points per triangle
   std::vector<Kernel::Point_3> net_points;  ///< the edges of the control T-mesh as polylines, one after the other
   std::vector<std::uint32_t> net_sizes;     ///< per polyline: its number of points

@@ -5,27 +5,38 @@
 #define MESH_TO_T_SPLINE_SURFACE_T_MESH_H
 
 #include "Refined_map.h"
-#include "exact_map_stage.h"
 #include "t_mesh_figures.h"
 
 #include <CGAL/T_splines/T_mesh/Carried_points.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_roots.h>
 
+#include <CGAL/Exact_rational.h>
 #include <CGAL/boost/graph/iterator.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
+using Exact_number = CGAL::Exact_rational;
 using T_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Anchor = CGAL::T_splines::T_mesh_anchor<Mesh, Exact_number>;
-using Roots = CGAL::T_splines::T_mesh_roots<Mesh, T_mesh, Exact_number>;
-using Samples = CGAL::T_splines::Carried_points<T_mesh, double, Kernel::Point_3>;
+
+/// A sample of the mesh without its place in the T-mesh.
+struct Carried_sample {
+  Kernel::Point_3 point;
+  double weight;
+
+  double x() const { return point.x(); }
+  double y() const { return point.y(); }
+  double z() const { return point.z(); }
+};
+
+using Samples = CGAL::T_splines::Carried_points<T_mesh, double, Carried_sample>;
 
 /// A T-mesh with exact knots, and how it lies on the surface.
 struct Surface_t_mesh {
@@ -38,8 +49,7 @@ struct Surface_t_mesh {
       mesh.add_property_map<T_mesh::Edge_index, std::vector<Kernel::Point_3>>("e:polyline").first;
   T_mesh::Property_map<T_mesh::Face_index, Anchor> anchors =
       mesh.add_property_map<T_mesh::Face_index, Anchor>("f:anchor").first; ///< of the motorcycle graph only
-  std::optional<Roots> roots; ///< what holds the T-mesh to the surface while it changes
-  Samples samples;            ///< the vertices of the mapped mesh, in the faces of the T-mesh
+  Samples samples; ///< of the mesh, in the faces of the T-mesh; none if there will be no T-spline
 
   Surface_t_mesh() = default;
   Surface_t_mesh(const Surface_t_mesh&) = delete; // the property maps are those of this mesh
@@ -47,7 +57,9 @@ struct Surface_t_mesh {
 };
 
 /// Whether a face goes straight on at `v`. (On the border the outside has no corners.)
-inline bool is_t_joint(const Surface_t_mesh& t, const T_mesh::Vertex_index v)
+/// \tparam Any_t_mesh a T-mesh with its knots and corners, as `Surface_t_mesh` is
+template <typename Any_t_mesh>
+bool is_t_joint(const Any_t_mesh& t, const T_mesh::Vertex_index v)
 {
   for (const auto h : CGAL::halfedges_around_target(t.mesh.halfedge(v), t.mesh))
     if (!t.mesh.is_border(h) && !t.corners[h])
@@ -55,8 +67,10 @@ inline bool is_t_joint(const Surface_t_mesh& t, const T_mesh::Vertex_index v)
   return false;
 }
 
-inline T_mesh_figures figures_of(const Surface_t_mesh& t)
+template <typename Any_t_mesh>
+T_mesh_figures figures_of(const Any_t_mesh& t)
 {
+  using Knot = typename boost::property_traits<decltype(t.knots)>::value_type;
   T_mesh_figures figures;
   figures.vertices = t.mesh.number_of_vertices();
   figures.edges = t.mesh.number_of_edges();
@@ -66,7 +80,7 @@ inline T_mesh_figures figures_of(const Surface_t_mesh& t)
   const CGAL::T_splines::T_mesh_coordinates coordinates(t.mesh, t.knots, t.corners);
   std::vector<double> ratios;
   for (const T_mesh::Face_index f : t.mesh.faces()) {
-    const double ratio = CGAL::to_double(Exact_number(coordinates.width(f) / coordinates.height(f)));
+    const double ratio = CGAL::to_double(Knot(coordinates.width(f) / coordinates.height(f)));
     ratios.push_back(std::max(ratio, 1 / ratio));
     const auto octave = static_cast<std::size_t>(std::max(0, std::ilogb(ratios.back())));
     figures.aspect_histogram.resize(std::max(figures.aspect_histogram.size(), octave + 1));

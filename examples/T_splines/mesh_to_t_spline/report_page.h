@@ -132,6 +132,9 @@ inline void add_surface_data(Page_data& data, const Page_frame& frame, const Sur
   data["spline_curvature"] = [&] {
     return base64_of_array(std::vector<float>(surface.mean_curvature.begin(), surface.mean_curvature.end()));
   };
+  data["spline_deviation"] = [&] {
+    return base64_of_array(std::vector<float>(surface.deviation.begin(), surface.deviation.end()));
+  };
   data["spline_triangles"] = [&] { return base64_of_array(surface.triangles); };
   data["net_points"] = [&] { return base64_of_array(frame.positions(surface.net_points)); };
   data["net_sizes"] = [&] { return base64_of_array(surface.net_sizes); };

@@ -227,8 +227,8 @@ TEST_CASE("Moving the samples reduces the distances, and leaves the samples on t
     REQUIRE(sample.place.u <= surface.width(sample.place.face));
     REQUIRE(sample.place.v >= 0);
     REQUIRE(sample.place.v <= surface.height(sample.place.face));
-    const double d = CGAL::squared_distance(surface.position(sample.place.face, sample.place.u, sample.place.v),
-                                            sample.point);
+    const double d =
+        CGAL::squared_distance(surface.position(sample.place.face, sample.place.u, sample.place.v), sample.point);
     sum += sample.weight * d;
     weight += sample.weight;
     maximum = std::max(maximum, d);

@@ -178,13 +178,12 @@ TEST_CASE("An open surface is fitted adaptively, into another model of a T-mesh"
   Polyhedron mesh;
   std::unordered_map<Halfedge, double, boost::hash<Halfedge>> knots;
   std::unordered_map<Halfedge, bool, boost::hash<Halfedge>> corners;
-  const auto report = T::fit_adaptive_T_spline(
-      problem.t.mesh, problem.t.knots(), problem.t.corners(), problem.samples, 0.01, mesh,
-      boost::make_assoc_property_map(knots), boost::make_assoc_property_map(corners), get(CGAL::vertex_point, mesh));
+  const auto report = T::fit_adaptive_T_spline(problem.t.mesh, problem.t.knots(), problem.t.corners(), problem.samples,
+                                               0.01, mesh, boost::make_assoc_property_map(knots),
+                                               boost::make_assoc_property_map(corners), get(CGAL::vertex_point, mesh));
   REQUIRE(report.status == Status::WITHIN_TOLERANCE);
-  const auto surface =
-      T::T_spline_surface(mesh, boost::make_assoc_property_map(knots), boost::make_assoc_property_map(corners),
-                          get(CGAL::vertex_point, mesh));
+  const auto surface = T::T_spline_surface(mesh, boost::make_assoc_property_map(knots),
+                                           boost::make_assoc_property_map(corners), get(CGAL::vertex_point, mesh));
   REQUIRE(surface.is_valid());
   const T::T_spline_closest_point<decltype(surface)> closest(surface);
   for (std::size_t i = 0; i < problem.samples.size(); i += 5)
@@ -206,8 +205,8 @@ TEST_CASE("Bad input of an adaptive fit is refused, and nothing is written")
   const auto defaults = CGAL::parameters::default_values();
   SECTION("tolerance")
   {
-    for (const double tolerance : {0., -1., std::numeric_limits<double>::infinity(),
-                                   std::numeric_limits<double>::quiet_NaN()})
+    for (const double tolerance :
+         {0., -1., std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
       CHECK(refused(tolerance, defaults).status == Status::INVALID_TOLERANCE);
   }
   SECTION("more control points than samples")

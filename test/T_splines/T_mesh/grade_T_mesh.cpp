@@ -30,8 +30,8 @@ using Rational = CGAL::Exact_rational;
 using CGAL::T_splines::grade_T_mesh;
 using test_t_meshes::Faces;
 
-// The largest quotient of the longer sides of two faces with a common edge; the smallest longer side, in the unit of the
-// first face of a regular T-mesh.
+// The largest quotient of the longer sides of two faces with a common edge; the smallest longer side, in the unit of
+// the first face of a regular T-mesh.
 template <typename Mesh>
 double largest_ratio(Mesh& t)
 {

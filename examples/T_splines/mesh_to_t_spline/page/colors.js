@@ -11,6 +11,9 @@ function colorComponents(hex) { return [1, 3, 5].map(i => parseInt(hex.slice(i, 
 // Of the curvature, from the lowest to the highest, in equal steps.
 const curvatureColors = ["#1b4f9c", "#6fa8d6", "#f7f7f5", "#ec9173", "#a8172b"];
 
+// Of the deviation, from 0 to the largest, in equal steps: magma, from its light end on, without the last tenth.
+const deviationColors = ["#fcfdbf", "#fecf92", "#fe9f6d", "#f7705c", "#de4968", "#b73779", "#8c2981", "#641a80", "#3b0f70", "#140e36"];
+
 const undefinedColor = "#8f9499";
 
 const extraordinaryColor = "#f2b705", netColor = "#008577", edgeColor = "#172138";

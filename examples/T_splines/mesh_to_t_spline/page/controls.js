@@ -1,58 +1,12 @@
-// The buttons, boxes and sliders over the picture, the legend, and the address that presets them.
+// The buttons, boxes and sliders over the picture, and the address that presets them.
 
 const allViews = [
   { key: "shaded", name: "Shaded", ofSpline: true, mode: 0 },
   { key: "reflection", name: "Reflection lines", ofSpline: true, mode: 1 },
   { key: "curvature", name: "Mean curvature", ofSpline: true, mode: 2 },
+  { key: "deviation", name: "Deviation", ofSpline: true, mode: 3 },
   ...["Checker", "Isolines", "Area", "Angles", "Shape"].map((name, mode) => ({ key: name.toLowerCase(), name, ofSpline: false, mode }))
 ];
-
-function colorBar(colors, ticks) {
-  return [element("div", { class: "bar", style: `background: linear-gradient(90deg, ${colors.join(", ")})` }),
-          element("div", { class: "ticks" }, ...ticks.map(tick => element("span", {}, tick)))];
-}
-
-function mapLegend(mode, range) {
-  const factor = x => 2 ** x < 1e4 ? String(+(2 ** x).toPrecision(2)) : `1e${Math.round(x * Math.log10(2))}`;
-  const power = x => x < 0 ? `1/${factor(-x)}` : factor(x);
-  if (mode === 2)
-    return ["area in the plane over area on the surface, relative to the median",
-            ...colorBar(["rgb(33,89,168)", "rgb(242,240,232)", "rgb(189,46,33)"],
-              [-range, -range / 2, 0, range / 2, range].map(power))];
-  if (mode === 3)
-    return ["larger over smaller stretch in each triangle (1: conformal)",
-            ...colorBar(["rgb(245,242,230)", "rgb(237,153,77)", "rgb(115,15,64)"], ["1", "1.41", "2"])];
-  return [];
-}
-
-function curvatureLegend({ distribution, diagonal }, range) {
-  const text = x => shortNumber(+x.toPrecision(3)).replace("-", "−");
-  if (!distribution.isKnown)
-    return ["mean curvature: defined nowhere"];
-  const percent = 100 * distribution.share(range);
-  return [
-    `mean curvature in 1/length (diagonal of the mesh: ${text(diagonal)}); positive where convex`,
-    ...colorBar(curvatureColors, [`≤ ${text(-range)}`, text(-range / 2), "0", text(range / 2), `≥ ${text(range)}`]),
-    element("p", {}, `${percent.toFixed(percent > 99.5 && percent < 100 ? 2 : 0)} % of the area within ±${text(range)}, `
-      + `all from ${text(distribution.low)} to ${text(distribution.high)}`),
-    element("p", {}, element("span", { class: "swatch", style: `background: ${undefinedColor}` }), "undefined (extraordinary points)")];
-}
-
-function splineLegend(mode, curvature, range) {
-  if (mode === 1)
-    return ["light lines as the surface mirrors them: they break where the normal jumps, and have a corner where the "
-            + "curvature jumps"];
-  return mode === 2 ? curvatureLegend(curvature, range) : [];
-}
-
-// scaleRange: of the area view; curvature: its distribution and the diagonal of the mesh, if there is a T-spline.
-function showLegend(options, scaleRange, curvature) {
-  const legend = document.getElementById("scale_legend"), { ofSpline, mode } = options.view;
-  const range = options.curvatureRange * 2 ** options.rangeOctaves;
-  const content = ofSpline ? splineLegend(mode, curvature, range) : mapLegend(mode, scaleRange);
-  legend.hidden = content.length === 0;
-  legend.replaceChildren(...content);
-}
 
 // Radio buttons for what is drawn of the T-mesh. \return what marks the chosen one.
 function makeLayerControls(options, layers, refresh) {
@@ -76,10 +30,9 @@ function listenForLayerKeys(options, layers, refresh) {
   document.getElementById("canvas").addEventListener("keydown", event => {
     if (event.ctrlKey || event.metaKey || event.altKey)
       return;
-    if (options.view.ofSpline && (event.key === "n" || event.key === "e")) {
-      const key = event.key === "n" ? "net" : "edges";
-      options[key] = !options[key];
-    }
+    const toggled = { n: "net", e: "edges", c: "compared" }[event.key];
+    if (options.view.ofSpline && toggled)
+      options[toggled] = !options[toggled];
     else if (!options.view.ofSpline && event.key === "t" && layers.length > 1)
       options.tMesh = options.tMesh === 1 ? 2 : 1;
     else
@@ -99,7 +52,7 @@ function makeToggles(options, layers, refresh) {
     toggles.append(label);
     updates.push(() => {
       control[control.type === "checkbox" ? "checked" : "value"] = options[property];
-      label.hidden = !isShown(options.view);
+      label.hidden = !isShown(options.view, options);
     });
   };
   const check = (name, property, isShown) => {
@@ -110,22 +63,24 @@ function makeToggles(options, layers, refresh) {
     const select = element("select", { "aria-label": title }, ...names.map((name, i) => element("option", { value: i }, name)));
     add(select, element("label", {}, select), property, isShown);
   };
-  const slider = (name, bound, property, isShown) => {
-    const range = element("input", { type: "range", min: -bound, max: bound, step: 0.05 });
+  const slider = (name, low, high, property, isShown) => {
+    const range = element("input", { type: "range", min: low, max: high, step: 0.05 });
     add(range, element("label", {}, name, range), property, isShown);
   };
   const ofMap = view => !view.ofSpline, isView = key => view => view.key === key;
   check("control net", "net", view => view.ofSpline);
   check("patch edges", "edges", view => view.ofSpline);
   check("extraordinary points", "points", view => view.ofSpline);
+  check("compare with the input", "compared", view => view.ofSpline);
   list(["horizontal lines", "vertical lines", "rings"], "light lines", "lights", isView("reflection"));
-  slider("density", 2, "lineOctaves", isView("reflection"));
-  slider("range", 4, "rangeOctaves", isView("curvature"));
+  slider("density", -2, 2, "lineOctaves", isView("reflection"));
+  slider("range", -4, 4, "rangeOctaves", isView("curvature"));
+  slider("range", -5, 0, "deviationOctaves", isView("deviation"));
   check("cones", "cones", ofMap);
   check("T-joints", "joints", view => ofMap(view) && layers.length > 0);
   check("cut", "cut", ofMap);
-  list(["no mesh", "input mesh", "refined mesh"], "mesh", "wire", ofMap);
-  slider("cells", 3, "cellOctaves", view => ofMap(view) && view.mode <= 1);
+  list(["no mesh", "input mesh", "refined mesh"], "mesh", "wire", (view, { compared }) => ofMap(view) || compared);
+  slider("cells", -3, 3, "cellOctaves", view => ofMap(view) && view.mode <= 1);
   return () => updates.forEach(update => update());
 }
 
@@ -155,7 +110,7 @@ function makeControls(options, views, layers, changed) {
 
 // The part after # in the address presets the view, e.g. #view=reflection&edges=1&turn=30,10: `view` is a key of
 // `allViews`, or the number of a view of the map; `t_mesh` is the number of a layer; `turn` (degrees to the right, down)
-// and `zoom` (larger is nearer) move the camera; every other name is that of an option, with a number or 0 or 1.
+// and `zoom` (larger is nearer) move the camera; `compare` is the divider's place, from 0 on the left to 1; every other name is that of an option, with a number or 0 or 1.
 // Returns whether the camera was moved.
 function presetFromAddress(options, views, camera) {
   let isMoved = false;
@@ -172,6 +127,10 @@ function presetFromAddress(options, views, camera) {
     else if (key === "zoom") {
       camera.zoom(1 / Math.max(0.01, +value || 1));
       isMoved = true;
+    }
+    else if (key === "compare") {
+      options.compared = +value > 0;
+      options.compare = dividerPlace(+value || 0.5);
     }
     else if (key in options)
       options[key] = typeof options[key] === "boolean" ? value !== "0" : +value || 0;

@@ -1,36 +1,5 @@
 // The tables and plots beside the picture.
 
-function element(name, attributes = {}, ...children) {
-  const svg = ["svg", "path", "circle", "line", "text"].includes(name);
-  const result = svg ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
-  for (const [key, value] of Object.entries(attributes))
-    result.setAttribute(key, value);
-  result.append(...children);
-  return result;
-}
-
-function countText(n) { return n.toLocaleString("en-US"); }
-
-function shortNumber(x) {
-  if (x === null || x === undefined)
-    return "not finite";
-  if (Number.isInteger(x) && Math.abs(x) < 1e6)
-    return countText(x);
-  return Math.abs(x) >= 1e-3 && Math.abs(x) < 1e5 ? String(+x.toPrecision(6)) : x.toExponential(2);
-}
-
-function seconds(s) { return s < 0.0995 ? (1000 * s).toFixed(s < 0.00995 ? 1 : 0) + " ms" : s.toFixed(2) + " s"; }
-
-function table(rows) {
-  const row = ([name, value]) => element("tr", {}, element("th", { scope: "row" }, name),
-    element("td", {}, typeof value === "number" ? shortNumber(value) : value));
-  return element("table", {}, element("tbody", {}, ...rows.map(row)));
-}
-
-function section(title, ...children) { return element("section", {}, element("h2", {}, title), ...children); }
-
-function note(text) { return element("p", { class: "note" }, text); }
-
 // The residual after each iteration on a logarithmic axis.
 function residualPlot(history, tolerance) {
   const width = 336, height = 170, left = 44, right = 8, top = 8, bottom = 24;
@@ -60,10 +29,11 @@ function residualPlot(history, tolerance) {
 
 function stageBars(stages) {
   const longest = Math.max(...stages.map(stage => stage.seconds), 1e-9);
-  const bars = element("div", { class: "bars" });
+  const bars = element("div", { class: "bars four" });
   for (const stage of stages) {
     const bar = element("div", { class: "bar", style: `width: ${(100 * stage.seconds / longest).toFixed(1)}%` });
-    bars.append(element("span", {}, stage.name), bar, element("span", {}, seconds(stage.seconds)));
+    const memory = stage.peak_memory_bytes ? `${(stage.peak_memory_bytes / 2 ** 20).toFixed(0)} MB` : "";
+    bars.append(element("span", {}, stage.name), bar, element("span", {}, seconds(stage.seconds)), element("span", {}, memory));
   }
   return bars;
 }
@@ -127,10 +97,19 @@ function showVerdict({ input, signature, map, exact_map, t_mesh, t_spline }) {
     facts.push(`${countText(final.faces)} T-mesh faces`,
       `aspect ratio at worst ${ratioText(final.worst_aspect_ratio)}`);
   }
-  if (t_spline && t_spline.control_points !== undefined)
-    facts.push(`${countText(t_spline.control_points)} control points`);
+  const verdict = document.getElementById("verdict");
+  if (t_spline) {
+    const { rms, maximum, deviation } = t_spline;
+    const errors = [`${countText(t_spline.levels[t_spline.best_level].control_points)} control points`,
+      `rms ${percentText(rms)}, max ${percentText(maximum)} at the samples`];
+    if (deviation)
+      errors.push(`two-sided max ${percentText(Math.max(deviation.surface_to_mesh.maximum, deviation.mesh_to_surface.maximum))}`);
+    errors.push(`genus ${input.genus}`, `${countText(signature.cones.length)} cones`);
+    verdict.append(endingOf(t_spline), ["", ...errors].join("  ·  "));
+    return;
+  }
   const status = exact_map ? exact_map.status : map.status;
-  document.getElementById("verdict").append(element("span", { class: "good" }, status), ["", ...facts].join("  ·  "));
+  verdict.append(element("span", { class: "good" }, status), ["", ...facts].join("  ·  "));
 }
 
 function ratioText(x) {
@@ -166,33 +145,6 @@ function aspectNote(hasTwoStages) {
     result.append(element("br"), element("span", { class: "key before" }), "as traced",
       element("span", { class: "key" }), "regularized");
   return result;
-}
-
-// How many vertices there are of each valence. valences: an object from valences to counts; or an array of pairs, of
-// objects { valence, vertices }, or of one valence per vertex.
-function valenceCounts(valences) {
-  if (!Array.isArray(valences))
-    return Object.entries(valences || {}).map(([valence, count]) => [+valence, count]);
-  const counts = new Map();
-  for (const item of valences) {
-    const [valence, count] = Array.isArray(item) ? item : typeof item === "object" ? [item.valence, item.vertices] : [item, 1];
-    counts.set(valence, (counts.get(valence) || 0) + count);
-  }
-  return [...counts];
-}
-
-function splineSection(spline) {
-  const has = key => spline[key] !== undefined;
-  const rows = names => names.filter(([name, key]) => has(key)).map(([name, key]) => [name, spline[key] ?? shortNumber(null)]);
-  const valences = valenceCounts(spline.valences).sort((a, b) => a[0] - b[0])
-    .map(([valence, count]) => [`of valence ${valence}`, count]);
-  const point = element("p", { class: "note" }, element("span", { class: "swatch", style: `background: ${extraordinaryColor}` }),
-    "extraordinary points ", element("span", { class: "stroke", style: `background: ${netColor}; margin-left: 10px` }), "control net");
-  return section("T-spline surface", table([
-    ...rows([["control points", "control_points"], ["patches", "patches"], ["extraordinary vertices", "extraordinary_vertices"]]),
-    ...valences,
-    ...rows([["vertices added for compatibility", "added_vertices"], ["deviation of the caps / diagonal", "cap_deviation"],
-      ["largest deviation", "max_deviation"], ["triangles of the tessellation", "tessellation_triangles"]])]), point);
 }
 
 function tMeshSection({ traced, regularized }) {
@@ -232,7 +184,10 @@ function exactMapSection(exact) {
 function conesSection(signature) {
   const cut = element("p", { class: "note" }, element("span", { class: "stroke" }),
     "the cut: directions continue across it, the positions of the cells need not");
-  return section("Cones", coneLegend(signature.cones), note(`Signature: ${signature.source}.`), cut);
+  const { cone_reduction: reduction } = signature;
+  const merged = reduction && reduction.merges > 0
+    ? ` Its ${countText(reduction.cones_before)} cones were reduced to ${countText(reduction.cones)}.` : "";
+  return section("Cones", coneLegend(signature.cones), note(`Signature: ${signature.source}.${merged}`), cut);
 }
 
 function convergenceSection(map) {
@@ -262,9 +217,9 @@ function showFigures(report, measure) {
               : report.input.genus > 0 ? "" : "No loops: every closed curve is contractible.";
   showVerdict(report);
   document.getElementById("figures").append(
-    ...(t_spline ? [splineSection(t_spline)] : []), ...(t_mesh ? [tMeshSection(t_mesh)] : []), conesSection(signature),
+    ...(t_spline ? [fitSection(t_spline), splineSection(t_spline)] : []), ...(t_mesh ? [tMeshSection(t_mesh)] : []), conesSection(signature),
     ...(map ? [convergenceSection(map)] : []),
-    section("Time", stageBars(report.stages), note(`${seconds(report.seconds)} in all${memory}`)),
+    section("Time", stageBars(report.stages), note(`${seconds(report.seconds)} in all${memory}. Memory: the most until the stage's end.`)),
     ...(exact_map ? [exactMapSection(exact_map)] : []), ...(t_mesh ? [tracingSection(t_mesh)] : []),
     meshSection(report, measure),
     section("Transitions across the cut", refined.transitions.length ? scaleTable(refined.transitions) : note("No cut."),

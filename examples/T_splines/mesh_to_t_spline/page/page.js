@@ -101,6 +101,12 @@ function readData() {
   return { mesh, spline, tMeshes, measure: measureTriangles(mesh), diagonal };
 }
 
+// What the legend tells of the deviation.
+function deviationFacts(spline, { deviation, tolerance }) {
+  const largest = spline.deviation.reduce((x, y) => Math.max(x, y), 0);
+  return { largest, error: deviation && deviation.surface_to_mesh, tolerance };
+}
+
 function showProblem(text) {
   const message = document.getElementById("message");
   message.textContent = text;
@@ -108,15 +114,16 @@ function showProblem(text) {
   document.getElementById("help").hidden = true;
 }
 
-function firstOptions({ spline, tMeshes, diagonal }, views, area, numberOfCones, curvature) {
+function firstOptions({ spline, tMeshes, diagonal }, views, area, numberOfCones, ofSpline) {
   const coneRadius = Math.min(0.016, 0.09 * Math.sqrt(area / Math.max(40, numberOfCones)));
   const mostJoints = Math.max(40, ...tMeshes.map(tMesh => tMesh.joints.length / 3));
   return {
     view: views.find(view => view.key === (spline ? "shaded" : tMeshes.length > 0 ? "shape" : "checker")),
     wire: 0, tMesh: tMeshes.length, cut: tMeshes.length === 0, cones: true, joints: true, cellOctaves: 0, coneRadius,
     jointRadius: Math.min(0.7 * coneRadius, 0.07 * Math.sqrt(area / mostJoints)),
-    net: false, edges: false, points: true, lights: 0, lineOctaves: 0, rangeOctaves: 0,
-    curvatureRange: curvature ? curvatureRange(curvature.distribution, diagonal) : 1
+    net: false, edges: false, points: true, compared: false, compare: 0.5, lights: 0, lineOctaves: 0, rangeOctaves: 0,
+    deviationOctaves: 0, curvatureRange: ofSpline ? curvatureRange(ofSpline.curvature.distribution, diagonal) : 1,
+    deviationRange: spline ? deviationRange(spline.deviation) : 1
   };
 }
 
@@ -150,10 +157,12 @@ function start() {
   if (spline)
     renderer.setSpline(splineBuffers(spline), spline);
   const extraordinary = spline ? pointList(spline.extraordinary).map(center => ({ center, text: "extraordinary point" })) : [];
-  const curvature = spline && { distribution: curvatureDistribution(spline), diagonal };
+  const ofSpline = spline && {
+    curvature: { distribution: curvatureDistribution(spline), diagonal }, deviation: deviationFacts(spline, report.t_spline)
+  };
 
   const views = allViews.filter(view => spline || !view.ofSpline);
-  const options = firstOptions(data, views, area, cones.length, curvature);
+  const options = firstOptions(data, views, area, cones.length, ofSpline);
   const camera = spline ? new Camera(spline.points, radiusOf(mesh.positions, spline.points, spline.net))
                         : new Camera(mesh.positions, 1);
   const aspect = () => canvas.clientWidth / Math.max(1, canvas.clientHeight);
@@ -164,7 +173,12 @@ function start() {
       requestAnimationFrame(() => { requested = false; renderer.draw(camera, options); });
     requested = true;
   };
-  makeControls(options, views, tMeshes, () => { showLegend(options, buffers.scaleRange, curvature); redraw(); });
+  makeControls(options, views, tMeshes, () => {
+    showLegend(options, buffers.scaleRange, ofSpline);
+    showDivider(options);
+    redraw();
+  });
+  listenToDivider(options, redraw);
   listen(canvas, camera, aspect, redraw);
   const marked = () => options.view.ofSpline ? (options.points ? extraordinary : []) : (options.cones ? cones : []);
   showTooltips(canvas, camera, aspect, marked);

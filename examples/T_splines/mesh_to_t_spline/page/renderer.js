@@ -3,6 +3,9 @@
 // The light lines round the surface in the view of reflection lines.
 const lightLineCount = 16;
 
+// How the mesh is drawn when it is compared with the surface.
+const meshMode = 5;
+
 function icosphere() {
   const g = (1 + Math.sqrt(5)) / 2;
   const corners = [[-1, g, 0], [1, g, 0], [-1, -g, 0], [1, -g, 0], [0, -1, g], [0, 1, g],
@@ -90,7 +93,7 @@ class Renderer {
 
   setSpline(buffers, { net, edges, extraordinary }) {
     const gl = this.gl, array = this.vertexArray([
-      { data: buffers.position, size: 3 }, { data: buffers.normal, size: 3 }, { data: buffers.curvature, size: 2 }]);
+      { data: buffers.position, size: 3 }, { data: buffers.normal, size: 3 }, { data: buffers.values, size: 3 }]);
     gl.bindVertexArray(array);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, buffers.triangles, gl.STATIC_DRAW);
@@ -147,16 +150,29 @@ class Renderer {
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LEQUAL);
     const frame = { camera, ratio, width, height, aspect: width / height };
-    if (options.view.ofSpline)
+    if (options.view.ofSpline && options.compared)
+      this.drawComparison(frame, options);
+    else if (options.view.ofSpline)
       this.drawSpline(frame, options);
     else
       this.drawMap(frame, options);
     gl.bindVertexArray(null);
   }
 
-  drawSurface({ camera, ratio, aspect }, options) {
+  // The mesh on the left of the divider, the surface on its right.
+  drawComparison(frame, options) {
+    const gl = this.gl, left = Math.round(options.compare * frame.width);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(0, 0, left, frame.height);
+    this.drawSurface(frame, options, meshMode);
+    gl.scissor(left, 0, frame.width - left, frame.height);
+    this.drawSpline(frame, options);
+    gl.disable(gl.SCISSOR_TEST);
+  }
+
+  drawSurface({ camera, ratio, aspect }, options, mode) {
     const gl = this.gl, surface = this.use(this.programs.surface, camera, aspect);
-    gl.uniform1i(surface.mode, options.view.mode);
+    gl.uniform1i(surface.mode, mode);
     gl.uniform1i(surface.wire, options.wire);
     gl.uniform1f(surface.cellOctaves, options.cellOctaves);
     gl.uniform1f(surface.scaleRange, this.surface.scaleRange);
@@ -183,7 +199,7 @@ class Renderer {
   }
 
   drawMap(frame, options) {
-    this.drawSurface(frame, options);
+    this.drawSurface(frame, options, options.view.mode);
     const tMesh = this.tMeshes[options.tMesh - 1];
     if (options.cut && this.cut.count > 0)
       this.drawLines(frame, this.cut, 2.2, [0.84, 0.36, 0.05]);
@@ -201,6 +217,7 @@ class Renderer {
     gl.uniform1f(spline.lineCount, Math.round(lightLineCount * 2 ** options.lineOctaves));
     gl.uniform1i(spline.lights, options.lights);
     gl.uniform1f(spline.curvatureRange, options.curvatureRange * 2 ** options.rangeOctaves);
+    gl.uniform1f(spline.deviationRange, options.deviationRange * 2 ** options.deviationOctaves);
     gl.bindVertexArray(this.spline.array);
     gl.drawElements(gl.TRIANGLES, this.spline.corners, gl.UNSIGNED_INT, 0);
     if (options.edges && this.spline.edges.count > 0)

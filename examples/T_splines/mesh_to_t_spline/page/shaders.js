@@ -15,6 +15,23 @@ vec3 shade(vec3 albedo, vec3 normal, vec3 toViewer) {
 vec4 encode(vec3 color) { return vec4(pow(clamp(color, 0.0, 1.0), vec3(1.0 / 2.2)), 1.0); }
 `;
 
+// What the T-spline surface is made of, and the mesh that it is compared with.
+const material = `
+const vec3 frontColor = vec3(0.67, 0.73, 0.79), backColor = vec3(0.74, 0.66, 0.58);
+// A material of a calm colour with a soft gloss.
+vec3 material(vec3 albedo, vec3 normal, vec3 toViewer) {
+  vec3 key = normalize(vec3(-0.45, 0.65, 0.62)), fill = normalize(vec3(0.85, 0.05, 0.5)), back = normalize(vec3(0.3, 0.5, -0.8));
+  vec3 light = mix(vec3(0.17, 0.165, 0.16), vec3(0.31, 0.34, 0.38), 0.5 + 0.5 * normal.y)
+    + 0.78 * max(dot(normal, key), 0.0) * vec3(1.0, 0.98, 0.94) + 0.17 * max(dot(normal, fill), 0.0) * vec3(0.80, 0.90, 1.0);
+  float toward = max(dot(normal, toViewer), 0.0), fresnel = 0.04 + 0.5 * pow(1.0 - toward, 5.0);
+  float sharp = pow(max(dot(normal, normalize(key + toViewer)), 0.0), 90.0);
+  float broad = pow(max(dot(normal, normalize(key + toViewer)), 0.0), 14.0);
+  float sky = smoothstep(-0.1, 0.9, reflect(-toViewer, normal).y);
+  return pow(albedo, vec3(2.2)) * light + 0.16 * sharp + 0.045 * broad + fresnel * sky * vec3(0.45, 0.50, 0.56)
+    + 0.05 * max(dot(normal, back), 0.0);
+}
+`;
+
 const surfaceVertexShader = `#version 300 es
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -55,6 +72,7 @@ uniform int mode, wire;
 uniform float cellOctaves, scaleRange, pixels;
 out vec4 color;
 ${shading}
+${material}
 // A checkerboard with cells of size 1, averaged over the pixel, in [0, 1].
 float checker(vec2 p, vec2 width) {
   vec2 w = max(width, 1e-6);
@@ -99,13 +117,22 @@ void main() {
     albedo = diverging(vScale / scaleRange);
   else if (mode == 3)
     albedo = sequential(vDilatation);
+  else if (mode == 5)
+    albedo = gl_FrontFacing ? frontColor : backColor;
   if (wire > 0) {
     vec3 distance = vSides / max(sideWidth, 1e-9);
     for (int i = 0; i < 3; ++i)
       if (wire == 2 || (vFlags & (1u << i)) != 0u)
         albedo = mix(albedo, vec3(0.10, 0.12, 0.15), 0.62 * clamp(0.5 * pixels + 0.35 - distance[i], 0.0, 1.0));
   }
-  color = encode(shade(albedo, normalize(vNormal), normalize(-vPosition)));
+  vec3 normal = normalize(vNormal), toViewer = normalize(-vPosition);
+  if (mode == 5) {
+    normal = gl_FrontFacing ? normal : -normal;
+    normal = normalize(normal - min(dot(normal, toViewer), 0.0) * toViewer);
+    color = encode(material(albedo, normal, toViewer));
+  }
+  else
+    color = encode(shade(albedo, normal, toViewer));
 }`;
 
 // Lines as quadrilaterals of constant width, drawn a little nearer than they are.

@@ -1,13 +1,13 @@
 // The T-spline surface of the page and what is computed from it once.
 
 // null if there is none. points: 3 coordinates per point, in the frame of the mesh; normals: 3 multiples of 1/32767 per
-// point; curvature: 1 per point, in the units of the model, NaN where undefined; triangles: 3 points each;
-// net, edges: segments; extraordinary: 3 coordinates per point.
+// point; curvature: 1 per point, in the units of the model, NaN where undefined; deviation: 1 per point, the distance from the
+// mesh by the longest side; triangles: 3 points each; net, edges: segments; extraordinary: 3 coordinates per point.
 function readSpline() {
   const floats = id => new Float32Array(decode(id)), integers = id => new Uint32Array(decode(id));
   const spline = {
     points: floats("spline_points"), normals: new Int16Array(decode("spline_normals")),
-    curvature: floats("spline_curvature"), triangles: integers("spline_triangles"),
+    curvature: floats("spline_curvature"), deviation: floats("spline_deviation"), triangles: integers("spline_triangles"),
     net: polylineSegments(floats("net_points"), integers("net_sizes")),
     edges: polylineSegments(floats("edge_points"), integers("edge_sizes")),
     extraordinary: floats("extraordinary_points")
@@ -88,16 +88,25 @@ function curvatureRange(distribution, diagonal) {
   const least = 1e-6 / diagonal;
   if (!distribution.isKnown)
     return least;
-  const bound = Math.max(distribution.bound(0.95), least), unit = 10 ** (Math.floor(Math.log10(bound)) - 1);
-  return Math.ceil(bound / unit) * unit;
+  return roundedUp(Math.max(distribution.bound(0.95), least));
 }
 
-// What the surface is drawn from; curvature: per point the value and 1, or 0 and 0 where it is undefined.
+// The smallest number with two digits that is not below x > 0.
+function roundedUp(x) {
+  const unit = 10 ** (Math.floor(Math.log10(x)) - 1);
+  return +(Math.ceil(x / unit - 1e-9) * unit).toPrecision(2);
+}
+
+// The largest deviation of the colour map. (Without any one would see only round-off.)
+function deviationRange(deviation) {
+  return roundedUp(deviation.reduce((x, y) => Math.max(x, y), 1e-9));
+}
+
+// What the surface is drawn from; values: per point the curvature and 1, or 0 and 0 where it is undefined, and the
+// deviation.
 function splineBuffers(spline) {
-  const curvature = new Float32Array(2 * spline.points.length / 3);
-  spline.curvature.forEach((value, i) => {
-    if (Number.isFinite(value))
-      curvature.set([value, 1], 2 * i);
-  });
-  return { position: spline.points, normal: spline.normals, curvature, triangles: orientedTriangles(spline) };
+  const values = new Float32Array(spline.points.length);
+  spline.curvature.forEach((value, i) => values.set(Number.isFinite(value) ? [value, 1] : [0, 0], 3 * i));
+  spline.deviation.forEach((value, i) => { values[3 * i + 2] = value; });
+  return { position: spline.points, normal: spline.normals, values, triangles: orientedTriangles(spline) };
 }

@@ -59,9 +59,9 @@ struct T_spline_fit_report {
   T_spline_report<TMesh> surface;
   std::size_t sample = 0; ///< the first invalid one; if FITTED, the one at the largest distance
   std::size_t number_of_control_points = 0, number_of_samples = 0;
-  T_spline_fit_error error;            ///< of the fitted surface, at the samples' last places
-  T_spline_fit_error first_error;      ///< the same before the samples were moved
-  int number_of_corrections = 0;       ///< how often the samples were moved
+  T_spline_fit_error error;       ///< of the fitted surface, at the samples' last places
+  T_spline_fit_error first_error; ///< the same before the samples were moved
+  int number_of_corrections = 0;  ///< how often the samples were moved
 
   bool success() const { return status == T_spline_fit_status::FITTED; }
   explicit operator bool() const { return success(); }

@@ -42,9 +42,8 @@ bool is_clamped(FT& x, const FT& size)
 
 // The samples in indices. Fills the report and returns an empty vector if one is invalid, or none has a weight.
 template <typename FT, typename TMesh, typename SampleRange>
-std::vector<Fitting_sample<FT>> fitting_samples(const Mesh_indexing<TMesh>& indexing,
-                                                const T_mesh_arrays<FT>& t_mesh, const SampleRange& samples,
-                                                T_spline_fit_report<TMesh>& report)
+std::vector<Fitting_sample<FT>> fitting_samples(const Mesh_indexing<TMesh>& indexing, const T_mesh_arrays<FT>& t_mesh,
+                                                const SampleRange& samples, T_spline_fit_report<TMesh>& report)
 {
   std::vector<Fitting_sample<FT>> result;
   FT weight(0);
@@ -82,22 +81,23 @@ auto control_point_weights(const TMesh&, const NamedParameters& np)
 
 } // namespace internal
 
-/// fits a T-spline surface to samples of a surface: finds the control points that minimize E_dist + lambda E_fair ([He06]
-/// section 3.3, equation (3)), in the faces at extraordinary vertices as in all others.
+/// fits a T-spline surface to samples of a surface: finds the control points that minimize E_dist + lambda E_fair
+/// ([He06] section 3.3, equation (3)), in the faces at extraordinary vertices as in all others.
 ///
 /// - E_dist = sum of w |S(u) - p|^2 over the samples p with the place u and the weight w.
-/// - E_fair = sum of the thin-plate energies of the faces, the integrals of S_xx^2 + 2 S_xy^2 + S_yy^2. In each face, x and
-///   y are u and v in the unit in which the face has the area that it has on the surface, the sum of the weights in it:
-///   the units of knots, which change from face to face, do not matter. At an extraordinary vertex, x and y are the
+/// - E_fair = sum of the thin-plate energies of the faces, the integrals of S_xx^2 + 2 S_xy^2 + S_yy^2. In each face, x
+///   and y are u and v in the unit in which the face has the area that it has on the surface, the sum of the weights in
+///   it: the units of knots, which change from face to face, do not matter. At an extraordinary vertex, x and y are the
 ///   coordinates of the characteristic map of Catmull-Clark subdivision, likewise.
-/// - lambda = fairness d^4, where d^2 is the mean weight of a sample, so that d is the distance between samples: features
-///   smaller than fairness^(1/4) d are smoothed away. The fairness has no unit.
+/// - lambda = fairness d^4, where d^2 is the mean weight of a sample, so that d is the distance between samples:
+///   features smaller than fairness^(1/4) d are smoothed away. The fairness has no unit.
 ///
 /// Then the samples are moved to the points of the surface that are closest nearby, and the surface is fitted again, as
 /// long as this reduces the root mean square of the distances by 2 percent or more (parameter correction).
 /// \tparam TMesh a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`; it may be non-simple
 /// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_spline_surface`
-/// \tparam SampleRange a range of `T_mesh_sample<TMesh, Kernel>`, or of what has the members `place`, `point`, `weight`;
+/// \tparam SampleRange a range of `T_mesh_sample<TMesh, Kernel>`, or of what has the members `place`, `point`,
+///        `weight`;
 ///        `Kernel::FT` is the floating point type of the computation
 /// \tparam VertexPointMap a writable map, vertex -> `Kernel::Point_3`
 /// \param t_mesh, knots, corners a spline compatible T-mesh
@@ -117,10 +117,9 @@ auto control_point_weights(const TMesh&, const NamedParameters& np)
 /// face (about 20), and one sparse factorization.
 template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename SampleRange,
           typename VertexPointMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
-T_spline_fit_report<TMesh> fit_T_spline(const TMesh& t_mesh, const HalfedgeKnotMap knots,
-                                        const HalfedgeCornerMap corners, SampleRange& samples,
-                                        const VertexPointMap control_points,
-                                        const NamedParameters& np = CGAL::parameters::default_values())
+T_spline_fit_report<TMesh>
+fit_T_spline(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners, SampleRange& samples,
+             const VertexPointMap control_points, const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;

@@ -67,8 +67,8 @@ bool prepare_adaptive_fit(const TMesh& t_mesh, const HalfedgeKnotMap knots, cons
 /// approximates a surface, given by samples, by a T-spline surface within a tolerance ([He06] section 3.3): fits,
 /// refines the T-mesh where the surface is too far from the samples, and fits again.
 ///
-/// The T-mesh is made spline compatible first, and graded: no face is more than six times as large as a neighbour, unless
-/// too few control points are allowed. In each level `fit_T_spline()` finds the control points, from the places
+/// The T-mesh is made spline compatible first, and graded: no face is more than six times as large as a neighbour,
+/// unless too few control points are allowed. In each level `fit_T_spline()` finds the control points, from the places
 /// to which the level before moved the samples. A face whose largest error exceeds twice the tolerance is divided into
 /// four then, another one beyond the tolerance into two, across its longer side on the surface; the rings around an
 /// extraordinary vertex are made half as wide where one of their faces is to be divided. The T-mesh is made spline
@@ -89,16 +89,16 @@ bool prepare_adaptive_fit(const TMesh& t_mesh, const HalfedgeKnotMap knots, cons
 ///        floating point type of the samples, and the control points, whose weights are 1; written upon success only.
 ///        \pre `out_t_mesh` is empty
 /// \param np optional named parameters:
-///   `T_splines::parameters::maximum_number_of_control_points`: a `std::size_t`, at most the number of samples (a quarter
-///     of it, or as many as the coarsest spline compatible T-mesh needs);
+///   `T_splines::parameters::maximum_number_of_control_points`: a `std::size_t`, at most the number of samples (a
+///     quarter of it, or as many as the coarsest spline compatible T-mesh needs);
 ///   `T_splines::parameters::fairness`, `CGAL::parameters::number_of_iterations`,
 ///   `CGAL::parameters::sparse_linear_solver`: as for `fit_T_spline()`, for each level;
 ///   `CGAL::parameters::visitor`: an `Adaptive_fit_visitor`;
 ///   `T_splines::parameters::relative_tolerance`, as for `is_admissible()`
 /// \return why it ended, and the errors of all levels. Complexity: as `fit_T_spline()` and `make_spline_compatible()`
 /// for each level.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename SampleRange,
-          typename OutTMesh, typename OutKnotMap, typename OutCornerMap, typename OutPointMap,
+template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename SampleRange, typename OutTMesh,
+          typename OutKnotMap, typename OutCornerMap, typename OutPointMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Adaptive_fit_report<TMesh>
 fit_adaptive_T_spline(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
@@ -144,8 +144,8 @@ fit_adaptive_T_spline(const TMesh& t_mesh, const HalfedgeKnotMap knots, const Ha
   if (!report.success())
     return report;
   const internal::Working_t_mesh<Kernel>& best = fit.best();
-  internal::copy_t_mesh(internal::Mesh_indexing<typename internal::Working_t_mesh<Kernel>::Mesh>(best.mesh),
-                        best.knots, best.corners, out_t_mesh, out_knots, out_corners);
+  internal::copy_t_mesh(internal::Mesh_indexing<typename internal::Working_t_mesh<Kernel>::Mesh>(best.mesh), best.knots,
+                        best.corners, out_t_mesh, out_knots, out_corners);
   auto point = best.mesh.points().begin();
   for (const auto v : CGAL::make_range(vertices(out_t_mesh)))
     put(out_control_points, v, *point++);

@@ -68,7 +68,8 @@ public:
 private:
   double longer_side(const face_descriptor f) const
   {
-    return (std::max)(CGAL::to_double(m_editor.coordinates().width(f)), CGAL::to_double(m_editor.coordinates().height(f)));
+    return (std::max)(CGAL::to_double(m_editor.coordinates().width(f)),
+                      CGAL::to_double(m_editor.coordinates().height(f)));
   }
 
   bool is_too_large(const face_descriptor f, const double ratio) const
@@ -96,16 +97,16 @@ private:
 /// splits faces of a T-mesh until the sizes change gradually: until no face is, by its longer side, more than `ratio`
 /// times as large as a face that it shares an edge with, in the units of the edge.
 ///
-/// Where a small face lies beside a large one, a T-spline surface has no basis functions of the sizes between. Faces are
-/// split across their longer side, as `refine_T_mesh()` splits them. No new face is smaller than the smallest one beside
-/// it, so that it ends.
+/// Where a small face lies beside a large one, a T-spline surface has no basis functions of the sizes between. Faces
+/// are split across their longer side, as `refine_T_mesh()` splits them. No new face is smaller than the smallest one
+/// beside it, so that it ends.
 /// \tparam TMesh a model of `MutableFaceGraph` and `FaceListGraph`; it may be non-simple
 /// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_mesh_editor`
 /// \pre the knots are admissible
 /// \param ratio at least 3
 /// \param np named parameters: `visitor`, a model of `TMeshVisitor`
-/// \return the number of splits. Complexity: linear in the size of the T-mesh and the number of splits, times the number
-/// of halfedges of a face.
+/// \return the number of splits. Complexity: linear in the size of the T-mesh and the number of splits, times the
+/// number of halfedges of a face.
 template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 std::size_t grade_T_mesh(TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,

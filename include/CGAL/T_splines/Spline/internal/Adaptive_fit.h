@@ -29,11 +29,11 @@ namespace internal {
 
 /// What an adaptive fit is asked for.
 struct Adaptive_fit_options {
-  double tolerance;                     ///< in the units of the points
+  double tolerance; ///< in the units of the points
   double fairness;
   std::size_t largest_number_of_control_points;
-  bool is_limit_strict;                 ///< or the coarsest T-mesh may have more
-  int number_of_corrections;            ///< per level
+  bool is_limit_strict;      ///< or the coarsest T-mesh may have more
+  int number_of_corrections; ///< per level
 };
 
 /// Fits, refines where the error is too large, and fits again.
@@ -229,8 +229,7 @@ private:
       if (error_to_mend[i] > 1 && number[i] >= fewest_samples)
         m_plans.push_back({f, error_to_mend[i], error_to_mend[i] > 2, longer_axis(fitter.surface(), f)});
     }
-    std::stable_sort(m_plans.begin(), m_plans.end(),
-                     [](const Plan& a, const Plan& b) { return a.error > b.error; });
+    std::stable_sort(m_plans.begin(), m_plans.end(), [](const Plan& a, const Plan& b) { return a.error > b.error; });
   }
 
   // An error in a small face, such as in the rings of an extraordinary vertex, that is surrounded by faces too large to
@@ -266,8 +265,8 @@ private:
       for (int axis = 0; axis < 2; ++axis) {
         const auto point = [&](const int k) {
           const FT x = FT(k) / FT(n), half = FT(1) / FT(2);
-          return axis == 0 ? surface.position(f, width * x, height * half) :
-                             surface.position(f, width * half, height * x);
+          return axis == 0 ? surface.position(f, width * x, height * half)
+                           : surface.position(f, width * half, height * x);
         };
         length[axis] += std::sqrt(CGAL::to_double(CGAL::squared_distance(point(i), point(i + 1))));
       }

@@ -31,7 +31,8 @@ Frame_axis<FT> frame_axis(const Similarity_2<FT>& to_vertex, const int face_axis
   return {axis, is_reversed ? FT(-to_vertex.scale()) : to_vertex.scale(), axis == 0 ? to_vertex.u() : to_vertex.v()};
 }
 
-/// The knot lines of the basis functions divide a face into cells, on each of which all of them are bicubic polynomials.
+/// The knot lines of the basis functions divide a face into cells, on each of which all of them are bicubic
+/// polynomials.
 ///
 /// Replaces `cuts` by the coordinates of the lines that cross the face along `face_axis`, increasing, with the face's
 /// ends. \pre no extraordinary vertex is a corner of `face`

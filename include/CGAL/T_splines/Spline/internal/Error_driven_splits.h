@@ -129,8 +129,8 @@ private:
   std::array<Cell, 2> halves(const Cell& cell, const int axis)
   {
     const int direction = (cell.direction + axis) % 4;
-    const FT size = direction % 2 == 0 ? m_editor.coordinates().width(cell.face) :
-                                         m_editor.coordinates().height(cell.face);
+    const FT size =
+        direction % 2 == 0 ? m_editor.coordinates().width(cell.face) : m_editor.coordinates().height(cell.face);
     const auto edit = m_editor.split_face(cell.face, direction % 2, FT(size / FT(2)));
     const Cell low{face(edit.halfedge, m_t_mesh), cell.direction};
     const Cell high{face(opposite(edit.halfedge, m_t_mesh), m_t_mesh), cell.direction};

@@ -33,8 +33,9 @@ struct Fitting_sample {
   FT weight;
 };
 
-/// The areas of the faces of a T-mesh on a surface, by the weights of the samples in them. A face with few samples, whose
-/// weights may stand for much more than the face, takes the area of a parameter unit from its neighbours. Linear time.
+/// The areas of the faces of a T-mesh on a surface, by the weights of the samples in them. A face with few samples,
+/// whose weights may stand for much more than the face, takes the area of a parameter unit from its neighbours. Linear
+/// time.
 template <typename FT>
 std::vector<FT> face_areas(const T_mesh_arrays<FT>& t_mesh, const std::vector<Fitting_sample<FT>>& samples)
 {
@@ -165,9 +166,8 @@ public:
       const FT rest = norm_of(right);
       if (rest <= tolerance * norm)
         continue;
-      const int iterations =
-          preconditioned_conjugate_gradients(m_matrix, solver, right, m_solution, FT(tolerance * norm / rest),
-                                             largest_number_of_iterations, m_workspace);
+      const int iterations = preconditioned_conjugate_gradients(
+          m_matrix, solver, right, m_solution, FT(tolerance * norm / rest), largest_number_of_iterations, m_workspace);
       if (iterations == largest_number_of_iterations)
         return solve(lambda, solver, points);
       for (int v = 0; v < m_number_of_vertices; ++v)

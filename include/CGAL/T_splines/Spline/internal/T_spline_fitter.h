@@ -52,8 +52,9 @@ struct Sample_box {
 /// Works relative to an origin near the samples, so that a model far from zero loses no digits.
 template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename Kernel>
 class T_spline_fitter {
-  using Control_points = typename boost::property_map<
-      TMesh, CGAL::dynamic_vertex_property_t<typename Kernel::Weighted_point_3>>::const_type;
+  using Control_points =
+      typename boost::property_map<TMesh,
+                                   CGAL::dynamic_vertex_property_t<typename Kernel::Weighted_point_3>>::const_type;
 
 public:
   using FT = typename Kernel::FT;

@@ -46,9 +46,9 @@ using Second_order_form = Eigen::Matrix<FT, 3, 5>;
 /// subdominant eigenvectors. It is scaled so that the face at the vertex has area 1.
 ///
 /// With respect to the parameters of the face, the second derivatives of a surface with a tangent plane would not even
-/// be square integrable at a vertex of valence 5 or more. At a vertex of valence 1, which has no characteristic map, the
-/// parameters of the face must do. Of the infinitely many rings of patches the first ones are integrated; what is left
-/// out tends to zero geometrically.
+/// be square integrable at a vertex of valence 5 or more. At a vertex of valence 1, which has no characteristic map,
+/// the parameters of the face must do. Of the infinitely many rings of patches the first ones are integrated; what is
+/// left out tends to zero geometrically.
 template <typename FT>
 class Cone_face_quadrature {
 public:
@@ -152,7 +152,8 @@ private:
 };
 
 /// The thin-plate energy of the rational basis functions in each face, the integral of f_xx^2 + 2 f_xy^2 + f_yy^2 over
-/// the face; x and y are u and v in the unit in which the face has area 1, at an extraordinary vertex the coordinates of
+/// the face; x and y are u and v in the unit in which the face has area 1, at an extraordinary vertex the coordinates
+/// of
 /// `Cone_face_quadrature`. So the unit of the knots does not matter.
 template <typename FT>
 class Thin_plate_energy {
@@ -222,8 +223,7 @@ private:
     for (std::size_t i = 0; i < jets.size(); ++i) {
       Eigen::Matrix<FT, 5, 1> derivatives;
       derivatives << jets[i][1], jets[i][2], jets[i][3], jets[i][4], jets[i][5];
-      m_rows.template block<1, 3>(static_cast<Eigen::Index>(i), m_row).noalias() =
-          (form * derivatives).transpose();
+      m_rows.template block<1, 3>(static_cast<Eigen::Index>(i), m_row).noalias() = (form * derivatives).transpose();
     }
     m_row += 3;
   }

@@ -18,7 +18,8 @@ namespace T_splines {
 namespace internal {
 
 /// Where to split a face of a T-mesh in two: at a vertex in the middle third of the two sides that are cut, one that
-/// both have if there is one, or in the middle. A new knot so keeps a distance of a sixth of the face from the old ones.
+/// both have if there is one, or in the middle. A new knot so keeps a distance of a sixth of the face from the old
+/// ones.
 template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap>
 class Split_position {
   using Coordinates = T_mesh_coordinates<TMesh, HalfedgeKnotMap, HalfedgeCornerMap>;

@@ -3,10 +3,6 @@
 
 // Traces the motorcycle graph of each map twice, by the same code: in exact arithmetic, and in doubles. Tells how many
 // of the T-meshes that come out of the doubles are wrong, and in what way.
-//
-//   exactness_study [MAP.obj ...]
-//
-// Without maps it makes some: folded triangles in general position, and grids, whose isolines run along edges.
 
 #include <CGAL/T_splines.h>
 
@@ -200,8 +196,18 @@ static void add_cube(const int n, const double width, Study& study)
   map.study("cube of " + std::to_string(n) + " x " + std::to_string(n) + " squares", study);
 }
 
+constexpr const char* usage = R"(exactness_study [MAP.obj ...]
+
+How many motorcycle graphs traced in doubles are wrong, and in what way. Without maps it makes some: folded triangles in
+general position, and grids, whose isolines run along edges.
+)";
+
 int main(int argc, char* argv[])
 {
+  if (argc > 1 && std::string(argv[1]) == "--help") {
+    std::cout << usage;
+    return EXIT_SUCCESS;
+  }
   Study study;
   for (int i = 1; i < argc; ++i) {
     const std::string file = argv[i];
@@ -210,7 +216,7 @@ int main(int argc, char* argv[])
     const T::Mesh_reading_report reading = T::read_map_obj(file, mesh, uv);
     if (!reading.success()) {
       std::cerr << file << ": " << describe(reading) << "\n";
-      return EXIT_FAILURE;
+      return 2;
     }
     study.add(file.substr(file.find_last_of('/') + 1), mesh, uv);
   }

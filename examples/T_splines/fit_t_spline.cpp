@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// From a seamless map to a T-spline surface that approximates the mapped mesh within a tolerance.
+//
+//   fit_t_spline [MAP.obj [TOLERANCE [T_SPLINE.ply]]]
+//
+// TOLERANCE is a distance, by the longest side of the bounding box (0.005). The map is the one that the example
+// seamless_similarity_map writes, if none is given; evaluate_t_spline and t_spline_deviation read the result.
+
+#include <CGAL/T_splines.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace T = CGAL::T_splines;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using FT = CGAL::Exact_rational;
+using Sample = T::T_mesh_sample<Mesh, Kernel>;
+using Points = T::Carried_points<Mesh, double, Kernel::Weighted_point_3>;
+
+int failure(const std::string& what, const std::string& message)
+{
+  std::cerr << what << ": " << message << "\n";
+  return EXIT_FAILURE;
+}
+
+int main(int argc, char* argv[])
+{
+  const std::string map_file = argc > 1 ? argv[1] : "seamless_similarity_map.obj";
+  const double relative_tolerance = argc > 2 ? std::atof(argv[2]) : 0.005;
+  const std::string t_spline_file = argc > 3 ? argv[3] : "fit_t_spline.ply";
+  Mesh mesh, t_mesh, spline;
+  const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  const T::Mesh_reading_report reading = T::read_map_obj(map_file, mesh, uv);
+  if (!reading.success())
+    return failure(map_file, describe(reading));
+  T::Seamless_map<Mesh, FT> map(mesh);
+  if (const auto report = T::make_exactly_seamless(mesh, uv, map); !report.success())
+    return failure(map_file, message(report.status));
+  const auto knots = t_mesh.add_property_map<Mesh::Halfedge_index, FT>("h:knot").first;
+  const auto corners = t_mesh.add_property_map<Mesh::Halfedge_index, bool>("h:corner").first;
+  const auto anchors = t_mesh.add_property_map<Mesh::Face_index, T::T_mesh_anchor<Mesh, FT>>("f:anchor").first;
+  const auto places = mesh.add_property_map<Mesh::Vertex_index, T::T_mesh_place<Mesh, double>>("v:place").first;
+  const auto graph = T::trace_motorcycle_graph(
+      map, t_mesh, knots, corners, T::parameters::vertex_place_map(places, T::parameters::face_anchor_map(anchors)));
+  if (!graph.success())
+    return failure(map_file, message(graph.status));
+
+  // Samples of the mesh, weighted by area, travel with the faces of the T-mesh while these become squarer.
+  std::vector<Sample> samples;
+  T::sample_T_mesh(map, t_mesh, knots, corners, anchors, places, std::back_inserter(samples));
+  Points points;
+  for (const Sample& s : samples)
+    points.add(s.place.face, s.place.u, s.place.v, Kernel::Weighted_point_3(s.point, s.weight));
+  T::regularize_T_mesh(t_mesh, knots, corners, CGAL::parameters::visitor(points.visitor()));
+  samples.clear();
+  const T::T_mesh_coordinates coordinates(t_mesh, knots, corners);
+  for (const Mesh::Face_index f : faces(t_mesh)) {
+    const double width = CGAL::to_double(coordinates.width(f)), height = CGAL::to_double(coordinates.height(f));
+    for (const Points::Point& p : points.points(f)) // round-off may have led a little out of the face
+      samples.push_back(
+          {{f, std::clamp(p.u, 0., width), std::clamp(p.v, 0., height)}, p.payload.point(), p.payload.weight()});
+  }
+
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  const double tolerance = relative_tolerance * std::max({box.x_span(), box.y_span(), box.z_span()});
+  const auto spline_knots = spline.add_property_map<Mesh::Halfedge_index, double>("h:knot").first;
+  const auto spline_corners = spline.add_property_map<Mesh::Halfedge_index, bool>("h:corner").first;
+  const auto report = T::fit_adaptive_T_spline(t_mesh, knots, corners, samples, tolerance, spline, spline_knots,
+                                               spline_corners, spline.points());
+  if (!report.success())
+    return failure(map_file, describe(report, t_mesh));
+  for (const T::T_spline_fit_level& level : report.levels)
+    std::cout << level.number_of_control_points << " control points: error " << level.error.relative_rms()
+              << " (root mean square), " << level.error.relative_maximum() << " (largest)\n";
+  std::cout << samples.size() << " samples; " << message(report.status) << "\n";
+  if (const std::error_code error = T::write_t_mesh(t_spline_file, spline, spline_knots, spline_corners))
+    return failure(t_spline_file, error.message());
+  return EXIT_SUCCESS;
+}

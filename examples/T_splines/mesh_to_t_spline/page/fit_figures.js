@@ -1,0 +1,122 @@
+// The figures of the T-spline surface and of its fit.
+
+// A share as a percentage with some digits.
+function percentText(x, digits = 3) {
+  return x === null || x === undefined ? shortNumber(null) : `${+(100 * x).toPrecision(digits)} %`;
+}
+
+// Round numbers from low to high: the most that are not too many.
+function logarithmicTicks(low, high) {
+  const most = 6, begin = Math.floor(Math.log10(low)), end = Math.ceil(Math.log10(high));
+  let best = [];
+  for (const digits of [[1], [1, 3], [1, 2, 5], [1, 1.5, 2, 3, 4, 5, 7]]) {
+    const ticks = Array.from({ length: end - begin + 1 }, (_, k) => digits.map(x => x * 10 ** (begin + k))).flat()
+      .filter(tick => tick >= low && tick <= high);
+    if (ticks.length <= most || best.length === 0)
+      best = ticks;
+  }
+  return best;
+}
+
+// A logarithmic axis from pixel `from` to pixel `to` that contains the values.
+class LogarithmicAxis {
+  constructor(values, from, to) {
+    const margin = 1.15;
+    this.low = Math.min(...values) / margin;
+    this.high = Math.max(...values) * margin;
+    while (this.ticks().length < 2) {
+      this.low /= margin;
+      this.high *= margin;
+    }
+    this.place = x => from + (to - from) * Math.log(x / this.low) / Math.log(this.high / this.low);
+  }
+
+  ticks() { return logarithmicTicks(this.low, this.high); }
+}
+
+// The errors of the levels against their numbers of control points; both axes are logarithmic.
+function levelPlot({ levels, tolerance, best_level }) {
+  const width = 336, height = 220, left = 50, right = 22, top = 10, bottom = 42;
+  const series = [["max", "maximum"], ["rms", "rms"]]
+    .map(([name, key]) => ({ name, key, levels: levels.filter(level => level[key] > 0) }));
+  const x = new LogarithmicAxis(levels.map(level => level.control_points), left, width - right);
+  const y = new LogarithmicAxis([tolerance, ...series.flatMap(({ key, levels }) => levels.map(level => level[key]))]
+    .map(error => 100 * error), height - bottom, top);
+  const svg = element("svg", {
+    viewBox: `0 0 ${width} ${height}`, width: "100%", role: "img", "aria-label": "Errors against the number of control points"
+  });
+  const line = (name, x1, y1, x2, y2) => svg.append(element("line", { class: name, x1, y1, x2, y2 }));
+  const text = (content, attributes) => svg.append(element("text", attributes, content));
+  for (const tick of x.ticks()) {
+    line("axis", x.place(tick), top, x.place(tick), height - bottom);
+    text(countText(Math.round(tick)), { x: x.place(tick), y: height - bottom + 14, "text-anchor": "middle" });
+  }
+  for (const tick of y.ticks()) {
+    line("axis", left, y.place(tick), width - right, y.place(tick));
+    text(`${+tick.toPrecision(2)}`, { x: left - 6, y: y.place(tick) + 4, "text-anchor": "end" });
+  }
+  text("control points", { x: (left + width - right) / 2, y: height - 8, "text-anchor": "middle" });
+  const middle = (top + height - bottom) / 2;
+  text("error / longest side, %", { x: 12, y: middle, "text-anchor": "middle", transform: `rotate(-90 12 ${middle})` });
+  line("goal", left, y.place(100 * tolerance), width - right, y.place(100 * tolerance));
+  for (const { key, levels: known } of series) {
+    const points = known.map(level => [x.place(level.control_points), y.place(100 * level[key])]);
+    if (points.length > 1)
+      svg.append(element("path", { class: `curve ${key}`, d: `M${points.map(p => p.map(c => c.toFixed(1)).join(" ")).join("L")}` }));
+    points.forEach(([cx, cy], i) => svg.append(element("circle", {
+      class: `dot ${key}`, cx, cy, r: known[i] === levels[best_level] ? 4.2 : 2.6
+    })));
+  }
+  return svg;
+}
+
+function levelTable({ levels, best_level }) {
+  const head = element("thead", {}, element("tr", {}, ...["level", "control points", "in rings", "rms, %", "max, %"]
+    .map(name => element("th", {}, name))));
+  const rows = levels.map((level, i) => element("tr", i === best_level ? { class: "best" } : {},
+    element("th", { scope: "row" }, String(i)), element("td", {}, countText(level.control_points)),
+    element("td", {}, countText(level.control_points_in_rings)),
+    ...[level.rms, level.maximum].map(error => element("td", {}, (100 * error).toPrecision(3)))));
+  return element("div", { class: "levels" },
+    element("table", { class: "columns narrow" }, head, element("tbody", {}, ...rows)));
+}
+
+function endingOf(spline) {
+  return spline.is_within_tolerance ? element("span", { class: "good" }, spline.status)
+                                    : element("span", { class: "bad" }, `ended beyond the tolerance: ${spline.status}`);
+}
+
+function fitSection(spline) {
+  const key = element("p", { class: "note" }, element("span", { class: "stroke maximum" }), "max",
+    element("span", { class: "stroke rms" }), "rms, at the samples", element("span", { class: "stroke goal" }), "tolerance");
+  return section("Fit", element("p", { class: "ending" }, endingOf(spline)), levelPlot(spline), key, levelTable(spline),
+    note(`Errors by the longest side of the bounding box; the surface is level ${spline.best_level}.`),
+    table([["tolerance", percentText(spline.tolerance)], ["fairness", spline.fairness], ["samples", spline.samples],
+      ["faces of the T-mesh before the fit", spline.faces_before_fit]]));
+}
+
+// How far surface and mesh are apart.
+function distanceTable({ rms, maximum, deviation }) {
+  const head = element("thead", {}, element("tr", {}, ...["distances by the longest side", "rms", "max"]
+    .map(name => element("th", {}, name))));
+  const row = (name, error) => element("tr", {}, element("th", { scope: "row" }, name),
+    element("td", {}, percentText(error.rms)), element("td", {}, percentText(error.maximum)));
+  const rows = [row("mesh to surface, at the samples", { rms, maximum })];
+  if (deviation)
+    rows.push(row("mesh to surface", deviation.mesh_to_surface), row("surface to mesh", deviation.surface_to_mesh));
+  return element("table", { class: "columns narrow" }, head, element("tbody", {}, ...rows));
+}
+
+function splineSection(spline) {
+  const valences = Object.entries(spline.valences).sort((a, b) => a[0] - b[0])
+    .map(([valence, count]) => [`of valence ${valence}`, count]);
+  const point = element("p", { class: "note" }, element("span", { class: "swatch", style: `background: ${extraordinaryColor}` }),
+    "extraordinary points ", element("span", { class: "stroke", style: `background: ${netColor}; margin-left: 10px` }), "control net");
+  return section("T-spline surface", distanceTable(spline), table([
+    ["control points", spline.levels[spline.best_level].control_points],
+    ["in rings round extraordinary vertices", spline.levels[spline.best_level].control_points_in_rings],
+    ["faces", spline.t_mesh.faces], ["T-joints", spline.t_mesh.t_joints],
+    ["extraordinary vertices", spline.extraordinary_vertices], ...valences, ["Bezier patches", spline.patches],
+    ["deviation of the caps", percentText(spline.cap_deviation)],
+    ["triangles of the tessellation", spline.tessellation_triangles]]), point);
+}

@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "t_spline_stage.h"
+
+#include "Fit_visitor.h"
+
+#include <CGAL/T_splines/Spline/Mesh_distance.h>
+#include <CGAL/T_splines/Spline/T_spline_surface.h>
+#include <CGAL/T_splines/Spline/compile_T_spline.h>
+#include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>
+#include <CGAL/T_splines/Spline/measure_T_spline_deviation.h>
+#include <CGAL/T_splines/Spline/tessellate_T_spline.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_sample.h>
+#include <CGAL/T_splines/named_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Sample = CGAL::T_splines::T_mesh_sample<T_mesh, Kernel>;
+using Fit_report = CGAL::T_splines::Adaptive_fit_report<T_mesh>;
+using T_spline =
+    CGAL::T_splines::T_spline_surface<T_mesh, decltype(Fitted_t_mesh::knots), decltype(Fitted_t_mesh::corners),
+                                      T_mesh::Property_map<T_mesh::Vertex_index, Kernel::Point_3>>;
+
+/// The samples that the T-mesh carries.
+std::vector<Sample> samples_of(const Surface_t_mesh& t)
+{
+  const CGAL::T_splines::T_mesh_coordinates coordinates(t.mesh, t.knots, t.corners);
+  std::vector<Sample> samples;
+  for (const T_mesh::Face_index f : t.mesh.faces()) {
+    const double width = CGAL::to_double(coordinates.width(f)), height = CGAL::to_double(coordinates.height(f));
+    for (const Samples::Point& p : t.samples.points(f)) // round-off may have led a little out of the face
+      samples.push_back(
+          {{f, std::clamp(p.u, 0., width), std::clamp(p.v, 0., height)}, p.payload.point, p.payload.weight});
+  }
+  return samples;
+}
+
+Failure failure_of(const Options& options, const Fit_report& report, const T_mesh& t_mesh)
+{
+  using Status = CGAL::T_splines::Adaptive_fit_status;
+  if (report.success())
+    return {};
+  const std::string text = describe(report, t_mesh);
+  const bool is_limit = report.status == Status::LIMIT_ABOVE_SAMPLES || report.status == Status::LIMIT_TOO_LOW;
+  if (!is_limit)
+    return {options.input_file() + ": " + text + " (--no-spline ends with the T-mesh)"};
+  if (!options.largest_number_of_control_points) // the number of samples is the limit
+    return {text + "; there are " + std::to_string(report.number_of_samples) + " samples: --samples asks for more",
+            true};
+  return {"--max-control-points " + std::to_string(*options.largest_number_of_control_points) + ": " + text, true};
+}
+
+void set_fit_figures(const Fit_report& report, T_spline_figures& figures)
+{
+  using Status = CGAL::T_splines::Adaptive_fit_status;
+  figures.status = message(report.status);
+  figures.is_within_tolerance = report.status == Status::WITHIN_TOLERANCE;
+  figures.best_level = report.best_level;
+  for (const CGAL::T_splines::T_spline_fit_level& level : report.levels)
+    figures.levels.push_back({level.number_of_control_points,
+                              level.number_of_faces,
+                              level.control_points_in_rings,
+                              {level.error.relative_rms(), level.error.relative_maximum()}});
+}
+
+/// Fits and refines.
+Failure fit(const Options& options, Chosen_spd_solver_traits& solver, Progress& progress, const Surface_t_mesh& t,
+            Fitted_t_mesh& fitted, std::vector<std::string>& levels, T_spline_figures& figures)
+{
+  namespace P = CGAL::T_splines::parameters;
+  progress.begin_stage("fitting");
+  const std::vector<Sample> samples = samples_of(t);
+  figures.samples = samples.size();
+  figures.faces_before_fit = t.mesh.number_of_faces();
+  figures.tolerance = options.tolerance;
+  figures.fairness = options.fairness.value_or(default_fairness());
+  Level_recorder recorder(progress, options.tolerance, options.has_levels ? &levels : nullptr);
+  const std::size_t limit = options.largest_number_of_control_points.value_or(samples.size());
+  const auto np = P::fairness(figures.fairness, P::maximum_number_of_control_points(limit))
+                      .visitor(Fit_visitor(recorder))
+                      .sparse_linear_solver(std::ref(solver));
+  const Fit_report report = CGAL::T_splines::fit_adaptive_T_spline(
+      t.mesh, t.knots, t.corners, samples, options.tolerance * figures.longest_side, fitted.mesh, fitted.knots,
+      fitted.corners, fitted.mesh.points(), np);
+  progress.end_stage();
+  set_fit_figures(report, figures);
+  return failure_of(options, report, t.mesh);
+}
+
+/// The images of the edges of the T-mesh, and the edges of the control net.
+void draw_edges(const T_spline& surface, const Fitted_t_mesh& t, const int resolution, Surface_drawing& drawing)
+{
+  const CGAL::T_splines::T_mesh_coordinates coordinates(t.mesh, t.knots, t.corners);
+  for (const T_mesh::Edge_index e : t.mesh.edges()) {
+    const T_mesh::Halfedge_index any = t.mesh.halfedge(e), h = t.mesh.is_border(any) ? t.mesh.opposite(any) : any;
+    const T_mesh::Face_index f = t.mesh.face(h);
+    drawing.net_points.push_back(t.mesh.point(t.mesh.source(h)));
+    drawing.net_points.push_back(t.mesh.point(t.mesh.target(h)));
+    drawing.net_sizes.push_back(2);
+    const auto a = coordinates.source_point(h), b = coordinates.target_point(h);
+    for (int i = 0; i <= resolution; ++i) {
+      const double x = static_cast<double>(i) / resolution;
+      drawing.edge_points.push_back(
+          surface.position(f, std::clamp(a.first + x * (b.first - a.first), 0., surface.width(f)),
+                           std::clamp(a.second + x * (b.second - a.second), 0., surface.height(f))));
+    }
+    drawing.edge_sizes.push_back(static_cast<std::uint32_t>(resolution + 1));
+  }
+}
+
+/// What the page draws of a surface. About `most` triangles.
+Surface_drawing drawing_of(const T_spline& surface, const Fitted_t_mesh& t, const std::size_t most)
+{
+  Surface_drawing drawing;
+  const std::size_t faces = std::max<std::size_t>(1, t.mesh.number_of_faces());
+  const int resolution =
+      std::clamp(static_cast<int>(std::sqrt(static_cast<double>(most) / (2. * static_cast<double>(faces)))), 3, 16);
+  const auto tessellation = CGAL::T_splines::tessellate_parameter_domain(surface, resolution);
+  for (const auto& place : tessellation.places) {
+    const T_spline::Jet jet = surface.jet(place.face, place.u, place.v);
+    const bool is_regular = jet.normal().squared_length() > 0;
+    drawing.points.push_back(jet.position);
+    drawing.normals.push_back(surface.unit_normal(place.face, place.u, place.v));
+    // On the page a sphere with outward normals has a positive curvature.
+    drawing.mean_curvature.push_back(is_regular ? -jet.curvatures().mean : std::numeric_limits<double>::quiet_NaN());
+  }
+  for (const auto& triangle : tessellation.triangles)
+    for (const std::size_t i : triangle)
+      drawing.triangles.push_back(static_cast<std::uint32_t>(i));
+  draw_edges(surface, t, resolution, drawing);
+  for (const T_mesh::Vertex_index v : t.mesh.vertices())
+    if (CGAL::T_splines::is_extraordinary(v, t.mesh, t.corners)) {
+      const T_mesh::Halfedge_index h = t.mesh.halfedge(v);
+      const T_mesh::Face_index f = t.mesh.face(h);
+      const auto p = CGAL::T_splines::T_mesh_coordinates(t.mesh, t.knots, t.corners).target_point(h);
+      drawing.extraordinary_points.push_back(
+          surface.position(f, std::min(p.first, surface.width(f)), std::min(p.second, surface.height(f))));
+    }
+  return drawing;
+}
+
+void set_surface_figures(const T_spline& surface, const Results& results, T_spline_figures& figures)
+{
+  figures.t_mesh = figures_of(results.fitted);
+  figures.patches = results.surface->number_of_patches();
+  figures.rings = results.surface->number_of_rings();
+  figures.cap_deviation = results.surface->cap_deviation() / figures.longest_side;
+  figures.tessellation_triangles = results.surface_drawing.triangles.size() / 3;
+  const Fitted_t_mesh& t = results.fitted;
+  for (const T_mesh::Vertex_index v : surface.t_mesh().vertices())
+    if (CGAL::T_splines::is_extraordinary(v, t.mesh, t.corners))
+      ++figures.valences[CGAL::T_splines::extended_valence(v, t.mesh, t.corners)];
+}
+
+/// Measures the distances between the surface and the mesh, those of the points of the drawing included.
+Failure measure(const Options& options, const Mesh& mesh, const Compiled_t_spline& surface, Surface_drawing& drawing,
+                T_spline_figures& figures)
+{
+  const auto report = CGAL::T_splines::measure_T_spline_deviation(surface, mesh);
+  if (!report.success())
+    return {options.input_file() + ": deviation: " + describe(report, mesh)};
+  const auto relative = [](const CGAL::T_splines::One_way_deviation& deviation) {
+    return Relative_error{deviation.relative_rms(), deviation.relative_maximum()};
+  };
+  figures.deviation = {relative(report.surface_to_mesh), relative(report.mesh_to_surface)};
+  const CGAL::T_splines::Mesh_distance distance(mesh);
+  for (const Kernel::Point_3& p : drawing.points)
+    drawing.deviation.push_back(distance(p) / figures.longest_side);
+  return {};
+}
+
+} // namespace
+
+double default_fairness()
+{
+  return CGAL::T_splines::default_fairness;
+}
+
+Failure make_t_spline(const Options& options, Chosen_spd_solver_traits& solver, Progress& progress, Results& results,
+                      T_spline_figures& figures)
+{
+  const Mesh& mesh = results.has_map ? results.input : results.refined.mesh;
+  figures.longest_side = longest_side_of(mesh);
+  Failure failure = fit(options, solver, progress, results.t_mesh, results.fitted, results.levels, figures);
+  if (failure)
+    return failure;
+  progress.begin_stage("surface");
+  const Fitted_t_mesh& t = results.fitted;
+  const T_spline surface(t.mesh, t.knots, t.corners, t.mesh.points());
+  if (!surface.is_valid())
+    return {options.input_file() + ": " + describe(surface.report(), t.mesh)};
+  results.surface = CGAL::T_splines::compile_T_spline(surface);
+  results.resolution = options.resolution;
+  progress.begin_stage("drawing");
+  results.surface_drawing = drawing_of(surface, t, 400000);
+  progress.begin_stage("deviation");
+  failure = measure(options, mesh, *results.surface, results.surface_drawing, figures);
+  progress.end_stage();
+  set_surface_figures(surface, results, figures);
+  return failure;
+}

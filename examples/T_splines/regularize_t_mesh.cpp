@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// From a seamless map to a T-mesh of nearly square faces of a given size on the surface that can carry a T-spline:
+// motorcycle graph, regularization, refinement, rings around extraordinary vertices.
+//
+//   regularize_t_mesh [MAP.obj [SIZE [T_MESH.ply]]]
+//
+// SIZE is the longest side that a face may have, by the longest side of the bounding box (0.1). The map is the one that
+// the example seamless_similarity_map writes, if none is given; evaluate_t_spline shows the result.
+
+#include <CGAL/T_splines.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <system_error>
+
+namespace T = CGAL::T_splines;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using FT = CGAL::Exact_rational;
+using Points = T::Carried_points<Mesh, double, Kernel::Point_3>;
+
+int failure(const std::string& what, const std::string& message)
+{
+  std::cerr << what << ": " << message << "\n";
+  return EXIT_FAILURE;
+}
+
+int main(int argc, char* argv[])
+{
+  const std::string map_file = argc > 1 ? argv[1] : "seamless_similarity_map.obj";
+  const double relative_size = argc > 2 ? std::atof(argv[2]) : 0.1;
+  const std::string t_mesh_file = argc > 3 ? argv[3] : "regularize_t_mesh.ply";
+  Mesh mesh, t_mesh;
+  const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  const T::Mesh_reading_report reading = T::read_map_obj(map_file, mesh, uv);
+  if (!reading.success())
+    return failure(map_file, describe(reading));
+  T::Seamless_map<Mesh, FT> map(mesh);
+  if (const auto report = T::make_exactly_seamless(mesh, uv, map); !report.success())
+    return failure(map_file, message(report.status));
+  const auto knots = t_mesh.add_property_map<Mesh::Halfedge_index, FT>("h:knot").first;
+  const auto corners = t_mesh.add_property_map<Mesh::Halfedge_index, bool>("h:corner").first;
+  const auto anchors = t_mesh.add_property_map<Mesh::Face_index, T::T_mesh_anchor<Mesh, FT>>("f:anchor").first;
+  const auto places = mesh.add_property_map<Mesh::Vertex_index, T::T_mesh_place<Mesh, double>>("v:place").first;
+  const auto graph = T::trace_motorcycle_graph(
+      map, t_mesh, knots, corners, T::parameters::vertex_place_map(places, T::parameters::face_anchor_map(anchors)));
+  if (!graph.success())
+    return failure(map_file, message(graph.status));
+
+  // Two visitors follow the changes: the roots hold the T-mesh to the surface, and the vertices of the mesh travel with
+  // the faces, whose size on the surface they measure.
+  Points points;
+  for (const Mesh::Vertex_index v : vertices(mesh))
+    points.add(places[v].face, places[v].u, places[v].v, mesh.point(v));
+  T::Surface_face_size face_size(T::T_mesh_coordinates(t_mesh, knots, corners), points);
+  const T::T_mesh_roots<Mesh, Mesh, FT> roots(t_mesh, anchors);
+  const auto with_visitor = CGAL::parameters::visitor(T::T_mesh_visitor_pair(roots, face_size.visitor()));
+
+  const auto regularization = T::regularize_T_mesh(t_mesh, knots, corners, with_visitor);
+  std::cout << "regularized from " << regularization.faces_before << " to " << regularization.faces_after
+            << " faces, the worst aspect ratio from " << regularization.worst_aspect_before << " to "
+            << regularization.worst_aspect_after << "\n";
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  const double size = relative_size * std::max({box.x_span(), box.y_span(), box.z_span()});
+  const auto refinement = T::refine_T_mesh(t_mesh, knots, corners, face_size, size, with_visitor);
+  if (!refinement.success())
+    return failure("refinement", message(refinement.status));
+  std::cout << "refined to " << num_faces(t_mesh) << " faces\n";
+  const auto compatibility = T::make_spline_compatible(t_mesh, knots, corners, with_visitor);
+  if (!compatibility.success())
+    return failure("spline compatibility", describe(compatibility, t_mesh));
+  std::cout << "spline compatible with " << num_faces(t_mesh) << " faces\n";
+
+  // New vertices have no points yet. Walking along the edges of the T-mesh finds them.
+  if (!T::place_T_mesh(map, t_mesh, knots, corners, roots))
+    return failure(map_file, "the T-mesh has left the surface");
+  if (const std::error_code error = T::write_t_mesh(t_mesh_file, t_mesh, knots, corners))
+    return failure(t_mesh_file, error.message());
+  return EXIT_SUCCESS;
+}
