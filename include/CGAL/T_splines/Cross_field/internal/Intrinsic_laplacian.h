@@ -10,10 +10,7 @@
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
-#include <CGAL/number_type_config.h>
-
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -36,7 +33,10 @@ public:
   {
     m_surface.m_mesh = mesh;
     m_surface.m_length = geometry.m_edge_length;
-    flip_to_delaunay();
+    flip_to_delaunay(m_surface, [this](const int h, const int h1, const int /*h2*/, const int /*g1*/, const int g2) {
+      for (std::vector<double>& form : m_forms)
+        form[h / 2] = value(form, g2) + value(form, h1);
+    });
     // Not negative but for round-off; zeros might tear vertices off.
     for (int h = 0; h < mesh.number_of_halfedges(); h += 2)
       m_weight.push_back((std::max)(
@@ -91,41 +91,6 @@ private:
     int column, row;
     double value;
   };
-
-  // As `make_delaunay()`, with 1-forms instead of tangent planes.
-  void flip_to_delaunay()
-  {
-    Triangulation_connectivity& mesh = m_surface.m_mesh;
-    constexpr double tolerance = 1e-10;
-    std::size_t flips_left = 200 * static_cast<std::size_t>(mesh.number_of_edges());
-    std::vector<int> queue(mesh.number_of_edges());
-    std::vector<char> is_queued(mesh.number_of_edges(), 1);
-    for (int e = 0; e < mesh.number_of_edges(); ++e)
-      queue[e] = e;
-    while (!queue.empty() && flips_left > 0) {
-      const int e = queue.back(), h = 2 * e, g = h + 1;
-      queue.pop_back();
-      is_queued[e] = 0;
-      const int h1 = mesh.next(h), h2 = mesh.next(h1), g1 = mesh.next(g), g2 = mesh.next(g1);
-      if (mesh.face(h) == mesh.face(g) ||
-          m_surface.corner_angle(h1) + m_surface.corner_angle(g1) <= CGAL_PI + tolerance)
-        continue;
-      // The other diagonal, by the law of cosines in a form without cancellation.
-      const double b = m_surface.m_length[mesh.edge(h2)], c = m_surface.m_length[mesh.edge(g1)];
-      const double sine = std::sin((m_surface.corner_angle(h2) + m_surface.corner_angle(g)) / 2);
-      m_surface.m_length[e] = std::sqrt((b - c) * (b - c) + 4 * b * c * sine * sine);
-      for (std::vector<double>& form : m_forms)
-        form[e] = value(form, g2) + value(form, h1);
-      mesh.flip(h);
-      --flips_left;
-      for (const int side : {h1, h2, g1, g2}) {
-        if (!is_queued[mesh.edge(side)]) {
-          is_queued[mesh.edge(side)] = 1;
-          queue.push_back(mesh.edge(side));
-        }
-      }
-    }
-  }
 
   static double value(const std::vector<double>& form, const int h) { return h % 2 == 0 ? form[h / 2] : -form[h / 2]; }
 

@@ -90,8 +90,11 @@ inline Vertex_frames vertex_frames(const Triangulation_connectivity& mesh, const
 }
 
 /// flips the edges of `frames` until the triangulation is intrinsically Delaunay: all its cotangent weights are then not
-/// negative up to round-off. The polar angles of the edges follow.
-inline void make_delaunay(Vertex_frames& frames)
+/// negative up to round-off. Of the members, only connectivity and lengths are read and changed.
+/// \param on_flip is called after each flip with the even halfedge of the edge, the two other halfedges of the face that
+///        was on its left, in their order, and those of the face on its right
+template <typename OnFlip>
+void flip_to_delaunay(Vertex_frames& frames, const OnFlip& on_flip)
 {
   Triangulation_connectivity& mesh = frames.m_mesh;
   constexpr int null = Triangulation_connectivity::null;
@@ -117,13 +120,7 @@ inline void make_delaunay(Vertex_frames& frames)
     mesh.flip(h);
     --flips_left;
     frames.m_length[e] = std::sqrt((b - c) * (b - c) + 4 * b * c * sine * sine);
-    const auto place_after = [&frames, &mesh](const int flipped, const int clockwise_neighbor) {
-      const double total = frames.m_total[mesh.source(flipped)];
-      const double polar = frames.m_polar[clockwise_neighbor] + frames.corner_angle(mesh.previous(clockwise_neighbor));
-      frames.m_polar[flipped] = polar >= total && frames.m_scale[mesh.source(flipped)] != 1 ? polar - total : polar;
-    };
-    place_after(h, g2);
-    place_after(g, h2);
+    on_flip(h, h1, h2, g1, g2);
     for (const int side : {h1, h2, g1, g2}) {
       if (!is_queued[mesh.edge(side)]) {
         is_queued[mesh.edge(side)] = 1;
@@ -131,6 +128,21 @@ inline void make_delaunay(Vertex_frames& frames)
       }
     }
   }
+}
+
+/// does `flip_to_delaunay()`; the polar angles of the edges follow.
+inline void make_delaunay(Vertex_frames& frames)
+{
+  const Triangulation_connectivity& mesh = frames.m_mesh;
+  const auto place_after = [&frames, &mesh](const int flipped, const int clockwise_neighbor) {
+    const double total = frames.m_total[mesh.source(flipped)];
+    const double polar = frames.m_polar[clockwise_neighbor] + frames.corner_angle(mesh.previous(clockwise_neighbor));
+    frames.m_polar[flipped] = polar >= total && frames.m_scale[mesh.source(flipped)] != 1 ? polar - total : polar;
+  };
+  flip_to_delaunay(frames, [&](const int h, const int /*h1*/, const int h2, const int /*g1*/, const int g2) {
+    place_after(h, g2);
+    place_after(mesh.opposite(h), h2);
+  });
 }
 
 } // namespace internal
