@@ -199,7 +199,7 @@ public:
     for (const Position& v : m_vertices) {
       const Reference_b_spline a(knots(v, 0)), b(knots(v, 1));
       double x = 0, y = 0;
-      for (int k = -1; k <= 1; ++k) {
+      for (int k = -3; k <= 3; ++k) { // two periods on either side, and one between p and v
         x += a(p[0] - v[0] + k * period(0));
         y += b(p[1] - v[1] + k * period(1));
       }

@@ -167,12 +167,24 @@ std::vector<std::pair<std::string, Faces<FT>>> closed_surfaces()
   const FT part = FT(1) / FT(8);
   return {{"cube", test_t_meshes::cube<FT>()},
           {"torus", test_t_meshes::torus<FT>(5, 4)},
+          {"torus of two faces", test_t_meshes::torus<FT>(2, 1)},
           {"genus two", test_t_meshes::genus_two<FT>()},
           {"torus with two cones", torus_with_two_cones<FT>()},
           {"pillow", test_t_meshes::pillow<FT>()},
           {"folded square", test_t_meshes::folded_square<FT>()},
           {"pinwheel", refined(test_t_meshes::pinwheel<FT>(FT(3) / FT(2)), part)},
           {"turning pinwheel", refined(turning_pinwheel<FT>(FT(3) / FT(2)), part)}};
+}
+
+// Surfaces with few faces, around which supports wind.
+template <typename FT>
+std::vector<std::pair<std::string, Faces<FT>>> surfaces_with_winding_supports()
+{
+  const FT scale = FT(3) / FT(2);
+  return {{"torus of one face", test_t_meshes::torus<FT>(1, 1)},
+          {"torus of three faces", test_t_meshes::torus<FT>(3, 1)},
+          {"coarse pinwheel", test_t_meshes::pinwheel<FT>(scale)},
+          {"coarse turning pinwheel", turning_pinwheel<FT>(scale)}};
 }
 
 } // namespace spline_tests

@@ -161,6 +161,66 @@ TEST_CASE("on a torus without T-joints the surface is the periodic tensor produc
   CHECK(worst < 1e-13);
 }
 
+TEST_CASE("on a torus of few faces, which wrap around, the surface is the periodic tensor product",
+          "[T_spline_surface]")
+{
+  CGAL::Random random(11);
+  for (const std::vector<double>& x : {std::vector<double>{0, 3}, {0, 1, 3}, {-1, 1, 1.5, 7}, some_x})
+    for (const std::vector<double>& y : {std::vector<double>{0, 5}, {2, 3, 4.5}, {0, 1, 2, 5}}) {
+      INFO(x.size() - 1 << " x " << y.size() - 1 << " faces");
+      Planar_t_mesh plane(x, y, true);
+      plane.set_random_frames(random);
+      Planar_spline t(plane);
+      t.mesh().set_random_controls(random);
+      const auto surface = t.mesh().surface();
+      REQUIRE(surface.is_valid());
+      // Periods enough that the basis functions on one of them do not overlap themselves.
+      const auto repeated = [](const std::vector<double>& knots) {
+        std::vector<double> result;
+        for (int k = -4; k < 5; ++k)
+          for (std::size_t i = 0; i + 1 < knots.size(); ++i)
+            result.push_back(knots[i] + k * (knots.back() - knots.front()));
+        return result;
+      };
+      const std::vector<double> u = repeated(x), v = repeated(y);
+      const std::size_t n = x.size() - 1, m = y.size() - 1;
+      const auto control = [&](const std::size_t i, const std::size_t j) {
+        return t.control({x[(i + 2) % n], y[(j + 2) % m]});
+      };
+      double worst = 0;
+      for (int k = 0; k < 500; ++k) {
+        const Position p = random_position(x, y, random);
+        worst = (std::max)(worst, length(t.position(surface, p) - tensor_product(u, v, control, p)));
+      }
+      CHECK(worst < 1e-13);
+    }
+}
+
+TEST_CASE("on a torus of one face, split at random, the surface is the T-spline of the textbook", "[T_spline_surface]")
+{
+  CGAL::Random random(12);
+  for (const int splits : {0, 1, 2, 3, 5, 8}) {
+    INFO(splits << " splits");
+    Planar_t_mesh plane({0, 8}, {0, 4}, true);
+    plane.split_randomly(splits, random);
+    plane.set_random_frames(random);
+    Planar_spline t(plane);
+    t.mesh().set_random_controls(random);
+    const auto surface = t.mesh().surface();
+    REQUIRE(surface.is_valid());
+    double worst = 0;
+    for (int k = 0; k < 400; ++k) {
+      const Position p = random_position({0, 8}, {0, 4}, random);
+      Homogeneous h{};
+      for (const auto& f : plane.blending_functions(p))
+        for (int c = 0; c < 4; ++c)
+          h[c] += f.second * t.control(f.first)[c];
+      worst = (std::max)(worst, length(t.position(surface, p) - projected(h)));
+    }
+    CHECK(worst < 1e-12);
+  }
+}
+
 TEST_CASE("on an open grid the surface is the clamped tensor product", "[T_spline_surface]")
 {
   CGAL::Random random(2);

@@ -5,6 +5,7 @@
 
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
 
+#include "Spline/Spline_mesh.h"
 #include "T_mesh/test_t_meshes.h"
 
 #include <CGAL/Exact_rational.h>
@@ -104,16 +105,39 @@ TEMPLATE_TEST_CASE("three rings around a cone, and two more before a border, are
     }
 }
 
-TEST_CASE("supports on a torus overlap themselves if it has less than four columns or rows", "[is_spline_compatible]")
+TEST_CASE("supports on a torus may overlap themselves, which they do with less than four columns or rows",
+          "[is_spline_compatible]")
 {
   for (int columns = 1; columns <= 5; ++columns)
     for (int rows = 1; rows <= 5; ++rows) {
       INFO(columns << " columns, " << rows << " rows");
       // The lattice of translations is made of (columns, 0) and (1, rows).
       const bool is_large = columns >= 4 && rows >= 4;
-      CHECK(status_of(test_t_meshes::torus<Rational>(columns, rows)) ==
-            (is_large ? Status::SPLINE_COMPATIBLE : Status::SUPPORT_OVERLAPS_ITSELF));
+      test_t_meshes::T_mesh<Surface_mesh, Rational> exact(test_t_meshes::torus<Rational>(columns, rows));
+      test_t_meshes::T_mesh<Surface_mesh, double> rounded(test_t_meshes::torus<double>(columns, rows));
+      const std::size_t number = is_large ? 0 : columns * rows;
+      const auto report = report_of(exact);
+      CHECK(report);
+      CHECK(report.self_overlapping_supports == number);
+      CHECK(report_of(rounded).self_overlapping_supports == number);
     }
+}
+
+TEMPLATE_TEST_CASE("a support must not contain the centre of a spiral", "[is_spline_compatible]", Rational, double)
+{
+  using FT = TestType;
+  using Mesh = test_t_meshes::T_mesh<Surface_mesh, FT>;
+  for (const FT& scale : {FT(3) / FT(2), FT(2), FT(9) / FT(8)}) {
+    INFO("scale " << scale);
+    Mesh t(test_t_meshes::pinwheel<FT>(scale));
+    const auto report = report_of(t);
+    CHECK(report.status == Status::ENDLESS_SUPPORT);
+    CHECK(report.vertex != Surface_mesh::null_vertex());
+    CHECK(report.face != Surface_mesh::null_face());
+  }
+  // Of n x n parts of each face, those at the inner square are 2 c / n long, c < 3 / 2, and it is 1 from the centre.
+  Mesh fine(spline_tests::refined(test_t_meshes::pinwheel<FT>(FT(9) / FT(8)), FT(FT(1) / FT(8))));
+  CHECK(report_of(fine));
 }
 
 TEST_CASE("between two borders there must be three intervals", "[is_spline_compatible]")
@@ -232,7 +256,7 @@ TEST_CASE("inadmissible knots are told first", "[is_spline_compatible]")
 TEST_CASE("each status has a message", "[is_spline_compatible]")
 {
   std::set<std::string> messages;
-  for (int i = 0; i <= static_cast<int>(Status::SUPPORT_OVERLAPS_ITSELF); ++i)
+  for (int i = 0; i <= static_cast<int>(Status::ENDLESS_SUPPORT); ++i)
     messages.insert(message(static_cast<Status>(i)));
   CHECK(messages.size() == 9);
   CHECK(messages.count("") == 0);

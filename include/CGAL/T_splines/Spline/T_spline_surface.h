@@ -213,7 +213,7 @@ public:
   OutputIterator basis_functions(const face_descriptor f, const FT& u, const FT& v, OutputIterator out) const
   {
     const int i = checked_index(f, u, v);
-    // Next to a vertex of valence 1 or 2 a basis function may act twice.
+    // A basis function may act several times.
     std::map<int, internal::Function_jet<FT>> sums;
     const auto add = [&](const int vertex, const internal::Function_jet<FT>& jet) {
       const auto inserted = sums.emplace(vertex, jet);

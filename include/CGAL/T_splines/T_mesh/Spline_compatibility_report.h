@@ -9,6 +9,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cstddef>
 #include <string>
 
 namespace CGAL {
@@ -25,7 +26,7 @@ enum class Spline_compatibility_status {
   IRREGULAR_RINGS,           ///< A: the three rings around `vertex`, extraordinary, are not regular at `face`
   BORDER_IN_RINGS,      ///< A: the border is so close to `extraordinary_vertex` that knots of `vertex` are not uniform
   SUPPORT_REACHES_CONE, ///< B: the support of `vertex` reaches `face`, incident to `extraordinary_vertex`
-  SUPPORT_OVERLAPS_ITSELF ///< C: the support of `vertex` overlaps `face` twice
+  ENDLESS_SUPPORT       ///< B: the support of `vertex` winds around a point that is not on the surface, over `face`
 };
 
 /// returns one sentence that explains `status`.
@@ -45,15 +46,14 @@ inline const char* message(const Spline_compatibility_status status)
     return "condition A: the border is too close to the rings around an extraordinary vertex";
   case Spline_compatibility_status::SUPPORT_REACHES_CONE:
     return "condition B: the support of a vertex outside of the second ring reaches a face at an extraordinary vertex";
-  case Spline_compatibility_status::SUPPORT_OVERLAPS_ITSELF:
-    return "condition C: the support of a vertex overlaps itself";
+  case Spline_compatibility_status::ENDLESS_SUPPORT:
+    return "condition B: the support of a vertex winds without an end around a point that is not on the surface";
   }
   return "";
 }
 
 /// The result of `is_spline_compatible()` and `make_spline_compatible()`: which condition fails, and where. Members
-/// that
-/// `status` does not mention have no meaning.
+/// that `status` does not mention have no meaning.
 /// \tparam TMesh a model of `FaceGraph`.
 template <typename TMesh>
 struct Spline_compatibility_report {
@@ -64,6 +64,9 @@ struct Spline_compatibility_report {
   typename Traits::vertex_descriptor vertex = Traits::null_vertex();
   typename Traits::vertex_descriptor extraordinary_vertex = Traits::null_vertex();
   typename Traits::face_descriptor face = Traits::null_face();
+  /// Of a spline compatible T-mesh: how many supports cover some face on two ways around the surface, condition C of
+  /// [CZ17] 4.1.3. That is allowed.
+  std::size_t self_overlapping_supports = 0;
 
   bool success() const { return status == Spline_compatibility_status::SPLINE_COMPATIBLE; }
   explicit operator bool() const { return success(); }

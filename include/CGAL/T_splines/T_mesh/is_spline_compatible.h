@@ -13,6 +13,8 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <cstddef>
+
 namespace CGAL {
 namespace T_splines {
 namespace internal {
@@ -65,12 +67,15 @@ bool is_known_admissible(const TMesh& t_mesh, const HalfedgeKnotMap knots, const
 /// - A: each extraordinary vertex is surrounded by three rings of square faces of one size (in a common unit) that meet
 ///   edge to edge. T-joints may lie on the outer rim of the third ring, where they change nothing inside;
 /// - B: the support of a vertex reaches a face at an extraordinary vertex only if it belongs to the vertex's first two
-///   rings, or is that vertex;
-/// - C: no support overlaps itself: each face has one transition to the frame of each vertex.
+///   rings, or is that vertex, and only from there; and it has finitely many pieces: it does not contain the centre of
+///   a spiral, around which faces become smaller and smaller.
 ///
-/// Extraordinary vertices may have any extended valence. At the valences 1 and 2 supports come back to the three rings
-/// from the other side; there C does not apply. The border must be straight, or have right-angled corners outwards;
-/// between two borders there must be at least three intervals in each row.
+/// Condition C of the paper, that no support overlaps itself, is not needed: a support is an immersed rectangle, and a
+/// face that it covers on two ways around the surface is two pieces of it, each with its own transition to the frame of
+/// the vertex. How many supports do so is told.
+///
+/// Extraordinary vertices may have any extended valence. The border must be straight, or have right-angled corners
+/// outwards; between two borders there must be at least three intervals in each row.
 /// \tparam TMesh a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`, with or without border; it may
 ///         be non-simple
 /// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `is_admissible()`
@@ -78,7 +83,7 @@ bool is_known_admissible(const TMesh& t_mesh, const HalfedgeKnotMap knots, const
 /// \param np named parameters: `relative_tolerance`, as for `is_admissible()`
 /// \return the first defect: the status, which names the condition, and the elements. The report converts to `true` if
 ///         there is none. With exact knots all decisions are exact.
-/// Complexity: linear in the number of pairs of a vertex and a face of its support.
+/// Complexity: linear in the number of pairs of a vertex and a piece of its support, but for a logarithm.
 template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Spline_compatibility_report<TMesh> is_spline_compatible(const TMesh& t_mesh, const HalfedgeKnotMap knots,
@@ -93,8 +98,13 @@ Spline_compatibility_report<TMesh> is_spline_compatible(const TMesh& t_mesh, con
   internal::Spline_structure<FT> structure(indexing, knots, corners);
   internal::Spline_defect defect = internal::defect_before_supports(structure);
   if (!defect)
-    defect = structure.find_supports([](int, const internal::Basis_support<FT>&) {});
-  return internal::described(defect, indexing);
+    defect = structure.find_supports([&](int, const internal::Basis_support<FT>& support) {
+      report.self_overlapping_supports += support.overlaps_itself();
+    });
+  const std::size_t self_overlapping_supports = report.self_overlapping_supports;
+  report = internal::described(defect, indexing);
+  report.self_overlapping_supports = self_overlapping_supports;
+  return report;
 }
 
 } // namespace T_splines

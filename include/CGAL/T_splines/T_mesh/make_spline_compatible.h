@@ -30,12 +30,12 @@ struct Spline_refinement_report : Spline_compatibility_report<TMesh> {
   std::size_t vertices_before = 0, vertices_after = 0;
   std::size_t faces_before = 0, faces_after = 0;
   std::size_t extraordinary_vertices = 0;
-  std::size_t vertices_in_rings = 0;              ///< afterwards, the extraordinary vertices included
-  std::size_t splits_for_rings = 0;               ///< condition A
-  std::size_t splits_at_border = 0;               ///< TOO_FEW_BORDER_INTERVALS, BORDER_IN_RINGS
-  std::size_t splits_of_reaching_supports = 0;    ///< condition B
-  std::size_t splits_of_overlapping_supports = 0; ///< condition C
-  bool is_limit_reached = false;                  ///< the allowed number of splits was not enough
+  std::size_t vertices_in_rings = 0;           ///< afterwards, the extraordinary vertices included
+  std::size_t splits_for_rings = 0;            ///< condition A
+  std::size_t splits_at_border = 0;            ///< TOO_FEW_BORDER_INTERVALS, BORDER_IN_RINGS
+  std::size_t splits_of_reaching_supports = 0; ///< condition B, SUPPORT_REACHES_CONE
+  std::size_t splits_of_endless_supports = 0;  ///< condition B, ENDLESS_SUPPORT
+  bool is_limit_reached = false;               ///< the allowed number of splits was not enough
 };
 
 namespace internal {
@@ -64,8 +64,7 @@ bool is_repairable(const TMesh& t_mesh, const HalfedgeKnotMap knots, const Halfe
   if (!is_known_admissible(t_mesh, knots, corners, np, result))
     return false;
   const Mesh_indexing<TMesh> indexing(t_mesh);
-  const Spline_structure<typename boost::property_traits<HalfedgeKnotMap>::value_type> structure(indexing, knots,
-                                                                                                 corners);
+  const Spline_structure<double> structure(indexing, knots, corners);
   result = described(structure.check_vertices(), indexing);
   report.extraordinary_vertices = structure.extraordinary_vertices().size();
   report.vertices_before = report.vertices_after = indexing.number_of_vertices();
@@ -78,7 +77,7 @@ void count_elements(const TMesh& t_mesh, const HalfedgeKnotMap knots, const Half
                     Spline_refinement_report<TMesh>& report)
 {
   const Mesh_indexing<TMesh> indexing(t_mesh);
-  Spline_structure<typename boost::property_traits<HalfedgeKnotMap>::value_type> structure(indexing, knots, corners);
+  Spline_structure<double> structure(indexing, knots, corners);
   report.vertices_after = indexing.number_of_vertices();
   report.faces_after = indexing.number_of_faces();
   report.extraordinary_vertices = structure.extraordinary_vertices().size();
@@ -94,12 +93,14 @@ void count_elements(const TMesh& t_mesh, const HalfedgeKnotMap knots, const Half
 /// - Each extraordinary vertex whose three rings are not regular gets rings, as large as the edges at it and its
 ///   extraordinary neighbours allow.
 /// - Where the border is too close, lines are inserted parallel to it.
-/// - Where a support reaches a face at an extraordinary vertex from outside of the second ring, a line of this ring is
-///   extended.
-/// - Where a support overlaps itself, a face is split across the axis along which it does.
+/// - Where a support reaches a face at an extraordinary vertex from outside of the second ring, a face that it covers
+///   beyond the rings is split, so that it ends there.
+/// - Where a support winds around the centre of a spiral, the faces around this point are split until each is smaller
+///   than half of its distance from the point.
 ///
-/// Edges are only inserted, by `T_mesh_editor`, each through one face; no line is extended farther than a condition
-/// asks. New vertices have no point and no weight: a visitor, or `place_T_mesh()` afterwards, gives them one.
+/// Edges are only inserted, by `T_mesh_editor`, each through one face. It ends: why, and what bounds the number of
+/// splits, is told in `internal/Spline_compatibility_repair.h`. Lines are inserted at vertices of the faces, where there
+/// are any close by, or at short fractions of their sides, so that exact knots stay short. New vertices have no point and no weight: a visitor, or `place_T_mesh()` afterwards, gives them one.
 /// \tparam TMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`; it may be non-simple
 /// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_mesh_editor`
 /// \param t_mesh, knots, corners the T-mesh
@@ -125,8 +126,8 @@ Spline_refinement_report<TMesh> make_spline_compatible(TMesh& t_mesh, const Half
   Spline_refinement_report<TMesh> report;
   if (!internal::is_repairable(t_mesh, knots, corners, np, report))
     return report;
-  const std::size_t number_of_splits = choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
-                                                        1000 + 30 * report.faces_before);
+  const std::size_t number_of_splits =
+      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 1000 + 30 * report.faces_before);
   Splits splits(t_mesh, knots, corners,
                 choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor()), number_of_splits);
   internal::Spline_compatibility_repair<Splits> repair(splits);
@@ -137,7 +138,7 @@ Spline_refinement_report<TMesh> make_spline_compatible(TMesh& t_mesh, const Half
   report.splits_for_rings = repair.counts().rings;
   report.splits_at_border = repair.counts().border;
   report.splits_of_reaching_supports = repair.counts().reaching_supports;
-  report.splits_of_overlapping_supports = repair.counts().overlapping_supports;
+  report.splits_of_endless_supports = repair.counts().endless_supports;
   internal::count_elements(t_mesh, knots, corners, report);
   return report;
 }

@@ -66,7 +66,7 @@ public:
     else
       for (auto a = m_basis.actions_begin(face); a != m_basis.actions_end(face); ++a)
         m_vertices.push_back(a->vertex);
-    // Next to a vertex of valence 1 or 2 a basis function may act twice.
+    // A basis function may act several times.
     std::sort(m_vertices.begin(), m_vertices.end());
     m_vertices.erase(std::unique(m_vertices.begin(), m_vertices.end()), m_vertices.end());
     for (std::size_t i = 0; i < m_vertices.size(); ++i)

@@ -65,7 +65,8 @@ public:
   using Evaluator = Catmull_clark_evaluator<FT>;
   static constexpr int none = -1;
 
-  /// A basis function that acts in a face, and the similarity from the frame of the face to its own.
+  /// A basis function that acts in a face, and the similarity from the frame of the face to its own: a piece of its
+  /// support. One function may act in a face several times, on different ways around the surface.
   struct Action {
     int vertex;
     Similarity_2<FT> to_vertex;
@@ -89,7 +90,8 @@ public:
     std::vector<std::pair<int, Action>> actions;
     const Spline_defect defect = structure.find_supports([&](const int v, const Basis_support<FT>& support) {
       for (const Support_face<FT>& face : support.faces())
-        actions.emplace_back(face.face, Action{v, face.to_vertex});
+        if (structure.corner_of_face(face.face) == none)
+          actions.emplace_back(face.face, Action{v, face.to_vertex});
     });
     if (defect)
       return defect;
@@ -113,8 +115,8 @@ public:
   /// The two factors of the basis function of a vertex, in its frame.
   const std::array<Cubic_b_spline<FT>, 2>& functions(const int v) const { return m_functions[v]; }
 
-  /// Calls `f(vertex, jet)` for the basis functions that do not vanish at a point of a face, with the derivatives up to
-  /// `Order` with respect to its u and v. \pre the face is not a cone face
+  /// Calls `f(vertex, jet)` for the pieces of basis functions that do not vanish at a point of a face, with the
+  /// derivatives up to `Order` with respect to its u and v. The values of one vertex are to be added up. \pre the face is not a cone face
   template <int Order, typename Function>
   void for_each_function(const int face, const FT& u, const FT& v, const Function& f) const
   {

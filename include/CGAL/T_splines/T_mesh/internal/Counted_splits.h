@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
+#include <CGAL/T_splines/T_mesh/internal/Split_position.h>
 
 #include <boost/container_hash/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
@@ -78,6 +79,7 @@ public:
   using Graph = TMesh;
   using FT = typename Editor::FT;
   using Coordinates = typename Editor::Coordinates;
+  using Position = Split_position<TMesh, HalfedgeKnotMap, HalfedgeCornerMap>;
   using vertex_descriptor = typename Editor::vertex_descriptor;
   using halfedge_descriptor = typename Editor::halfedge_descriptor;
   using face_descriptor = typename Editor::face_descriptor;

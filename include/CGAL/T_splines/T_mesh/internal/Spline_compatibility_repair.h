@@ -5,7 +5,6 @@
 #define CGAL_T_SPLINES_T_MESH_INTERNAL_SPLINE_COMPATIBILITY_REPAIR_H
 
 #include <CGAL/T_splines/T_mesh/internal/Ring_insertion.h>
-#include <CGAL/T_splines/T_mesh/internal/Ring_line.h>
 #include <CGAL/T_splines/T_mesh/internal/Spline_structure.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/exactness.h>
@@ -16,9 +15,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,43 +28,70 @@ namespace internal {
 
 /// How many splits were made for what.
 struct Spline_repair_counts {
-  std::size_t rings = 0, border = 0, reaching_supports = 0, overlapping_supports = 0;
+  std::size_t rings = 0, border = 0, reaching_supports = 0, endless_supports = 0;
 };
 
 /// Splits faces of a T-mesh until the conditions of [CZ17] 4.1.3 hold, in rounds: each looks at the T-mesh in arrays,
 /// and corrects what it finds wrong; of defects close to each other only the first one.
 ///
-/// A line that is inserted outside of the rings adds intersections to rays: the supports of the vertices there become
-/// smaller or stay. So a vertex that had no defect gets none later, and after the first round only vertices that had
-/// one and new vertices are looked at.
-/// Each round but the last one splits something. Rings are made at most twice around a vertex, unless all that a
-/// support overlaps is rings. Lines of rings are extended only within supports, which they end; the splits for overlaps
-/// end as shrink_support() says. That they end together is not proven: the number of splits may be bounded.
+/// Why it ends. A line that is inserted outside of the rings adds intersections to rays: the supports of the vertices
+/// there become smaller or stay. So a vertex that had no defect gets none later, and after the first round only
+/// vertices that had one and new vertices are looked at.
+///
+/// Condition B. Let the support of v reach a face at an extraordinary vertex w, the closest one. In the frame of w, in
+/// units of its rings, v is at (X, Y), X, Y > 0. Where |X| <= 3, the ray of v along y meets the rings at 3 and 2 and
+/// ends there; so X, Y > 3. Along one of the two axes a ray of v has one intersection before 1 already: otherwise the
+/// face next to v would contain the corner of the rings. A split of one face, across this ray, at a place p with
+/// 1 < p <= 3, adds the second one; or two splits along the other axis. The new vertices at this line have X <= 3 and
+/// do not reach w. No part of the face is narrower than 3/16 of the ring (split_interval() chooses p so). So with a_f
+/// the area of face f, and l_f the smallest of the sides of the faces within f and of 3/16 of the rings whose lines may
+/// cross it, both in the units of f and as they are when the rings have been made, no more than the sum of a_f / l_f^2
+/// faces arise. Those rings are within the reach of supports in f, which is bounded, as supports do not grow; they are
+/// finitely many unless f lies at a centre of the surface (see below), from which supports are kept away. The face to
+/// be split might lie in the rings of a third vertex. This can only be if those are twice as large as these, and they
+/// are made smaller; so often at most as their units have factors of 3 between them.
+///
+/// Supports without an end. They contain a centre p of a spiral; its surroundings, without p, are covered again and
+/// again by the same faces, smaller and smaller. Each ray of a vertex at the distance d from p, by the larger
+/// coordinate, ends after two faces; if each was smaller than half of its distance from p, the support would not reach
+/// p. So faces that are larger are split, and their parts have a sixth of this distance at least: a finite number.
+///
+/// Rings are made once around a vertex, but for the two cases above; lines parallel to borders are inserted until three
+/// of them are seen from everywhere.
 /// \tparam Splits `Counted_splits`
 template <typename Splits>
 class Spline_compatibility_repair {
   using Graph = typename Splits::Graph;
   using FT = typename Splits::FT;
+  using SurfaceFT = typename std::conditional<is_exact_number_type<FT>, double, FT>::type;
+  using Support = Basis_support<SurfaceFT>;
   using vertex_descriptor = typename Splits::vertex_descriptor;
+  using face_descriptor = typename Splits::face_descriptor;
   using Status = Spline_compatibility_status;
   using Indexing = Mesh_indexing<Graph>;
   static constexpr int none = -1;
 
 public:
-  explicit Spline_compatibility_repair(Splits& splits) : m_splits(splits) {}
+  explicit Spline_compatibility_repair(Splits& splits)
+    : m_splits(splits),
+      m_split_position(splits.t_mesh(), splits.knots(), splits.corners())
+  {
+  }
 
-  /// Goes on until nothing is left to be done, nothing can be done, or no more splits are allowed.
+  /// Goes on until nothing is left to be done, nothing can be done, or no more splits are allowed. With exact knots
+  /// the rounds look at rounded copies, which are made anew each time, so that errors do not add up; where these find
+  /// nothing more, the exact knots decide.
   /// \pre the T-mesh is admissible, its border is as it must be
   /// \return whether all conditions hold
   bool run()
   {
-    bool is_exact = std::is_same<FT, double>::value || !is_exact_number_type<FT>;
+    bool is_final = std::is_same<FT, SurfaceFT>::value;
     while (!m_splits.is_exhausted()) {
-      const Result result = is_exact ? round<FT>() : round<double>();
-      if (result == Result::STUCK || (result == Result::DONE && is_exact))
+      const Result result = is_final ? round<FT>() : round<SurfaceFT>();
+      if (is_final && result != Result::CHANGED)
         return result == Result::DONE;
-      if (result == Result::DONE) {
-        is_exact = true; // rounded transitions may hide an overlap
+      if (result != Result::CHANGED) {
+        is_final = true;
         m_checks_all = true;
       }
     }
@@ -74,22 +102,23 @@ public:
 
 private:
   enum class Result { DONE, CHANGED, STUCK };
+  enum class Split { DONE, LATER, IMPOSSIBLE };
 
   // What a round knows.
-  template <typename SurfaceFT>
+  template <typename KnotFT>
   struct State {
     const Indexing indexing;
-    Spline_structure<FT, SurfaceFT> structure;
+    Spline_structure<KnotFT, SurfaceFT> structure;
     std::vector<int> cone_of_face; // the extraordinary vertex in whose rings a face lies
     std::vector<int> candidates;   // vertices to be looked at
 
     State(const Splits& splits) : indexing(splits.t_mesh()), structure(indexing, splits.knots(), splits.corners()) {}
   };
 
-  template <typename SurfaceFT>
+  template <typename KnotFT>
   Result round()
   {
-    State<SurfaceFT> state(m_splits);
+    State<KnotFT> state(m_splits);
     if (insert_rings(state))
       return Result::CHANGED;
     find_cones_of_faces(state);
@@ -114,8 +143,8 @@ private:
   }
 
   // Condition A.
-  template <typename SurfaceFT>
-  bool insert_rings(State<SurfaceFT>& state)
+  template <typename KnotFT>
+  bool insert_rings(State<KnotFT>& state)
   {
     std::vector<vertex_descriptor> cones;
     for (const Spline_defect& defect : state.structure.ring_defects())
@@ -133,19 +162,19 @@ private:
     return true;
   }
 
-  template <typename SurfaceFT>
-  void find_cones_of_faces(State<SurfaceFT>& state) const
+  template <typename KnotFT>
+  void find_cones_of_faces(State<KnotFT>& state) const
   {
     state.cone_of_face.assign(state.structure.arrays().number_of_faces(), none);
-    for (const Regular_rings<FT>& rings : state.structure.rings())
+    for (const Regular_rings<KnotFT>& rings : state.structure.rings())
       for (int sector = 0; sector < rings.valence(); ++sector)
         for (int x = 0; x < 3; ++x)
           for (int y = 0; y < (x < 2 ? 3 : 2); ++y)
             state.cone_of_face[rings.face(sector, x, y)] = rings.vertex(sector, 0, 0);
   }
 
-  template <typename SurfaceFT>
-  void find_candidates(State<SurfaceFT>& state) const
+  template <typename KnotFT>
+  void find_candidates(State<KnotFT>& state) const
   {
     if (m_checks_all) {
       state.candidates.resize(state.structure.arrays().number_of_vertices());
@@ -159,8 +188,8 @@ private:
   }
 
   // Finds the knots of the candidates. Returns those that see too few intervals, or border too close to rings.
-  template <typename SurfaceFT>
-  std::vector<int> border_defects(State<SurfaceFT>& state)
+  template <typename KnotFT>
+  std::vector<int> border_defects(State<KnotFT>& state)
   {
     std::vector<int> result;
     for (const int v : state.candidates)
@@ -170,7 +199,7 @@ private:
       }
     if (!result.empty() || !state.structure.has_border())
       return result;
-    for (const Regular_rings<FT>& rings : state.structure.rings())
+    for (const Regular_rings<KnotFT>& rings : state.structure.rings())
       for (int sector = 0; sector < rings.valence(); ++sector)
         for (const std::array<int, 2>& p : {std::array<int, 2>{2, 0}, {2, 1}, {2, 2}, {1, 2}})
           state.structure.find_knots(rings.vertex(sector, p[0], p[1]));
@@ -182,198 +211,200 @@ private:
   }
 
   // Two borders, one or two intervals apart: there shall be three.
-  template <typename SurfaceFT>
-  void widen_border(State<SurfaceFT>& state, const int v)
+  template <typename KnotFT>
+  void widen_border(State<KnotFT>& state, const int v)
   {
-    const Vertex_rays<FT> rays = state.structure.rays(v);
+    const Vertex_rays<KnotFT> rays = state.structure.rays(v);
     for (int i = 0; i < 2; ++i)
       if (!has_enough_intervals(rays[i], rays[i + 2]))
         split_longest_interval(state, rays, i);
   }
 
   // The last interval before a border that is seen from the second ring.
-  template <typename SurfaceFT>
-  void keep_off_border(State<SurfaceFT>& state, const Spline_defect& defect)
+  template <typename KnotFT>
+  void keep_off_border(State<KnotFT>& state, const Spline_defect& defect)
   {
-    const Vertex_rays<FT> rays = state.structure.rays(defect.vertex);
-    for (const Knot_ray<FT>& ray : rays)
-      if (ray.border < 3 && split_interval(state, ray, ray.border - 1) == Split::IMPOSSIBLE)
+    const Vertex_rays<KnotFT> rays = state.structure.rays(defect.vertex);
+    for (const Knot_ray<KnotFT>& ray : rays)
+      if (ray.border < 3 && halve_interval(state, ray, ray.border - 1) == Split::IMPOSSIBLE)
         m_cones_to_do.push_back(state.indexing.vertex(defect.extraordinary_vertex));
   }
 
-  // Conditions B and C.
-  template <typename SurfaceFT>
-  std::vector<int> support_defects(State<SurfaceFT>& state)
+  // Condition B.
+  template <typename KnotFT>
+  std::vector<int> support_defects(State<KnotFT>& state)
   {
     std::vector<int> result;
-    state.structure.for_each_support_defect(
-        state.candidates, [&](const Spline_defect& defect, const Basis_support<SurfaceFT>& support) {
-          result.push_back(defect.vertex);
-          if (is_touched(state, support))
-            return;
-          const std::size_t before = m_splits.count();
-          const bool overlaps = defect.status == Status::SUPPORT_OVERLAPS_ITSELF;
-          if (overlaps || !extend_ring_line(state, defect, support))
-            shrink_support(state, defect, support);
-          (overlaps ? m_counts.overlapping_supports : m_counts.reaching_supports) += m_splits.count() - before;
-        });
+    const Ring_controls<SurfaceFT> controls = state.structure.ring_controls();
+    state.structure.for_each_support_defect(controls, state.candidates,
+                                            [&](const Spline_defect& defect, const Support& support) {
+                                              result.push_back(defect.vertex);
+                                              const std::size_t before = m_splits.count();
+                                              if (defect.status == Status::SUPPORT_REACHES_CONE) {
+                                                shorten(state, controls, defect, support);
+                                                m_counts.reaching_supports += m_splits.count() - before;
+                                              }
+                                              else {
+                                                divide_around_centre(state, support);
+                                                m_counts.endless_supports += m_splits.count() - before;
+                                              }
+                                            });
     return result;
   }
 
-  template <typename SurfaceFT>
-  bool is_touched(const State<SurfaceFT>& state, const Basis_support<SurfaceFT>& support) const
-  {
-    for (const Support_face<SurfaceFT>& face : support.faces())
-      if (m_splits.touched().is_touched(state.indexing.face(face.face)))
-        return true;
-    return false;
-  }
+  // How a vertex sees an extraordinary vertex along one of the two axes, in units of the rings around this one.
+  struct View {
+    int direction;        // of the ray that comes closer to it, in the frame of the vertex
+    double distance;      // between the two
+    double rings_per_ray; // units of the rings per unit of the ray
+    int intersections;    // number of those before the face at the extraordinary vertex
+    int interval;         // of the ray, the one to be split
+    double begin;         // where it begins, as a distance from the extraordinary vertex
+    double target, high;  // where to split it, likewise
 
-  // Condition B. The support of a vertex at (X, Y), beyond the corner of the third ring, ends at the line x = 2 if its
-  // ray towards lower x meets this line, and something before. By convexity of the faces this is so along one of the
-  // two axes.
-  template <typename SurfaceFT>
-  bool extend_ring_line(State<SurfaceFT>& state, const Spline_defect& defect, const Basis_support<SurfaceFT>& support)
-  {
-    const auto& arrays = state.structure.arrays();
-    const auto& cone_faces = support.cone_faces();
-    const auto found = std::find_if(cone_faces.begin(), cone_faces.end(),
-                                    [&](const Support_face<SurfaceFT>& f) { return f.face == defect.face; });
-    const int corner = state.structure.corner_of_face(defect.face);
-    const double unit = CGAL::to_double(SurfaceFT(found->to_vertex.scale() * arrays.width(defect.face)));
-    const auto in_face = arrays.target_point(corner);
-    const auto cone = found->to_vertex(in_face.first, in_face.second);
-    const int direction = (arrays.side(corner) + 1 + found->to_vertex.quarter_turns()) % 4;
-    const Vertex_rays<FT> rays = state.structure.rays(defect.vertex);
-    std::array<double, 2> at; // X, Y
-    std::array<bool, 2> has_intersection;
-    for (int axis = 0; axis < 2; ++axis) {
-      const int d = (direction + axis) % 4;
-      const double x = CGAL::to_double(d % 2 == 0 ? cone.first : cone.second) / unit;
-      at[axis] = d < 2 ? -x : x;
-      has_intersection[axis] = at[axis] - CGAL::to_double(rays[(d + 2) % 4].distance[0]) / unit > 2 + 1e-9;
+    bool is_better_than(const View& other) const
+    {
+      return intersections != other.intersections ? intersections > other.intersections : distance > other.distance;
     }
-    if (!(at[0] > 3 && at[1] > 3))
-      return false;
-    const int first = at[1] <= at[0] ? 0 : 1; // the shorter way
-    for (const int axis : {first, 1 - first})
-      if (has_intersection[axis] &&
-          Ring_line<Splits>(m_splits).extend(state.indexing.halfedge(corner), axis, at[1 - axis]))
-        return true;
-    return false;
+  };
+
+  template <typename KnotFT>
+  View view(const Vertex_rays<KnotFT>& rays, const int direction, const double distance,
+            const double rings_per_ray) const
+  {
+    const Knot_ray<KnotFT>& ray = rays[direction];
+    const auto place = [&](const int i) { return distance - rings_per_ray * CGAL::to_double(ray.distance[i]); };
+    View result{direction, distance, rings_per_ray, 0, 0, distance, 2, (std::min)(3., distance - 0.25)};
+    while (result.intersections < 2 && place(result.intersections) >= 1 - 1e-9)
+      ++result.intersections;
+    if (result.intersections != 1 || place(0) < 1.5)
+      return result;
+    result.interval = 1;
+    result.begin = place(0);
+    result.high = (std::min)(3., result.begin - 0.25);
+    result.target = result.begin >= 2.25 ? 2 : (1 + result.begin) / 2;
+    return result;
   }
 
-  enum class Split { DONE, LATER, IMPOSSIBLE };
-
-  // A support that meets its own image, by the way on which it overlaps itself, or nearly does, is made shorter along
-  // the axis along which less is missing. Otherwise only the face that it overlaps twice is too large, and is split.
-  // Both end: the support becomes shorter until a quarter of its extent lies between it and its image, and the face
-  // until it does not bridge this gap.
-  template <typename SurfaceFT>
-  void shrink_support(State<SurfaceFT>& state, const Spline_defect& defect, const Basis_support<SurfaceFT>& support)
+  // Adds an intersection to a ray of the vertex of a support that reaches a face at an extraordinary vertex.
+  template <typename KnotFT>
+  void shorten(State<KnotFT>& state, const Ring_controls<SurfaceFT>& controls, const Spline_defect& defect,
+               const Support& support)
   {
-    if (state.structure.is_extraordinary(defect.vertex)) {
-      m_cones_to_do.push_back(state.indexing.vertex(defect.vertex));
+    const Support_face<SurfaceFT>& piece = support.faces()[support.reached_cone_face()];
+    const auto place = controls.place(piece.face, piece.to_vertex);
+    const Similarity_2<SurfaceFT>& to_rings = controls.to_unit_square(piece.face);
+    const int turns = to_rings.quarter_turns() - piece.to_vertex.quarter_turns() + 8;
+    const double scale = CGAL::to_double(to_rings.scale()) / CGAL::to_double(piece.to_vertex.scale());
+    const double x = CGAL::to_double(place.first), y = CGAL::to_double(place.second);
+    if (!state.structure.is_extraordinary(defect.vertex)) {
+      const Vertex_rays<KnotFT> rays = state.structure.rays(defect.vertex);
+      std::array<View, 2> views{view(rays, ((x > 0 ? 2 : 0) + turns * 3) % 4, CGAL::abs(x), scale),
+                                view(rays, ((y > 0 ? 3 : 1) + turns * 3) % 4, CGAL::abs(y), scale)};
+      if (views[1].is_better_than(views[0]))
+        std::swap(views[0], views[1]);
+      for (const View& v : views)
+        if (v.distance > 3 - 1e-9 && v.intersections < 2 &&
+            split_interval(state, rays[v.direction], v) != Split::IMPOSSIBLE)
+          return;
+      m_cones_to_do.push_back(state.indexing.vertex(cone_of_rays(state, rays)));
       return;
     }
-    int axis = 0;
-    if (defect.status == Status::SUPPORT_OVERLAPS_ITSELF) {
-      if (extend_spokes(state, defect.vertex))
-        return;
-      const std::array<SurfaceFT, 2> common =
-          overlap_with_image(state.structure.knots(defect.vertex), support.round_trip());
-      if ((std::min)(common[0], common[1]) < SurfaceFT(-0.25) &&
-          split_longer_side(state, defect.face) != Split::IMPOSSIBLE)
-        return;
-      axis = common[0] <= common[1] ? 0 : 1;
-    }
-    const Vertex_rays<FT> rays = state.structure.rays(defect.vertex);
-    if (split_longest_interval(state, rays, axis) == Split::IMPOSSIBLE &&
-        split_longest_interval(state, rays, 1 - axis) == Split::IMPOSSIBLE)
-      m_cones_to_do.push_back(state.indexing.vertex(cone_of_rays(state, rays)));
+    m_cones_to_do.push_back(state.indexing.vertex(defect.vertex));
   }
 
-  // Around an extraordinary vertex of valence 1 or 2 a support comes back, and meets a face that crosses the
-  // continuation of a spoke from both sides.
-  template <typename SurfaceFT>
-  bool extend_spokes(State<SurfaceFT>& state, const int v)
-  {
-    const auto& arrays = state.structure.arrays();
-    const auto& knots = state.structure.knots(v).knots;
-    const SurfaceFT reach =
-        (std::max)((std::max)(knots[0][4], knots[1][4]), SurfaceFT(-(std::min)(knots[0][0], knots[1][0])));
-    bool is_changed = false;
-    for (const Vertex_quarter<SurfaceFT>& quarter : Vertex_quarters<SurfaceFT>(arrays, v)) {
-      const int cone = state.cone_of_face[arrays.face(quarter.h)];
-      if (cone == none || arrays.extended_valence(cone) > 2)
-        continue;
-      const SurfaceFT unit = quarter.unit * arrays.width(arrays.face(quarter.h));
-      arrays.for_each_incoming(cone, [&](const int corner) {
-        const bool is_split = Ring_line<Splits>(m_splits).extend_spoke(state.indexing.halfedge(corner),
-                                                                       3 + CGAL::to_double(SurfaceFT(reach / unit)));
-        is_changed = is_changed || is_split;
-      });
-    }
-    return is_changed;
-  }
-
-  // How much of the extent of a support along each axis its image also has, as a fraction; negative if they are apart.
-  template <typename SurfaceFT>
-  static std::array<SurfaceFT, 2> overlap_with_image(const Basis_knots<SurfaceFT>& knots,
-                                                     const Similarity_2<SurfaceFT>& to_image)
-  {
-    const auto &u = knots.knots[0], &v = knots.knots[1];
-    const auto p = to_image(u.front(), v.front()), q = to_image(u.back(), v.back());
-    const auto fraction = [](const std::array<SurfaceFT, 5>& k, const SurfaceFT& a, const SurfaceFT& b) {
-      const SurfaceFT low = (std::max)(k.front(), (std::min)(a, b)), high = (std::min)(k.back(), (std::max)(a, b));
-      return SurfaceFT((high - low) / (k.back() - k.front()));
-    };
-    return {fraction(u, p.first, q.first), fraction(v, p.second, q.second)};
-  }
-
-  template <typename SurfaceFT>
-  Split split_longer_side(State<SurfaceFT>& state, const int face)
+  // Splits a face across a ray, at a place where it has a vertex, or a short fraction of its side.
+  template <typename KnotFT>
+  Split split_interval(State<KnotFT>& state, const Knot_ray<KnotFT>& ray, const View& view)
   {
     const auto& arrays = state.structure.knot_arrays();
-    if (state.cone_of_face[face] != none)
+    const int h = face_to_split(state, ray, view.interval);
+    if (h == none)
       return Split::IMPOSSIBLE;
-    const int axis = arrays.width(face) >= arrays.height(face) ? 0 : 1;
-    return split_once(state, face, axis, FT(arrays.side_length(face, axis) / FT(2)));
+    const int f = arrays.face(h);
+    const bool is_reversed = h != ray.halfedge[view.interval];
+    const int direction = (arrays.side(h) + (ray.is_across[view.interval] ? 1 : is_reversed ? 2 : 0)) % 4;
+    const double size = CGAL::to_double(arrays.side_length(f, direction));
+    const double begin = ray.is_across[view.interval] ? 0
+                         : is_reversed                ? size - CGAL::to_double(KnotFT(arrays.end(h)))
+                                                      : CGAL::to_double(arrays.begin(h));
+    const double length = ray.is_across[view.interval] ? size : CGAL::to_double(arrays.knot(h));
+    const double ray_length = CGAL::to_double(ray.distance[view.interval]) -
+                              (view.interval == 0 ? 0 : CGAL::to_double(ray.distance[view.interval - 1]));
+    const double rings_per_face = view.rings_per_ray * ray_length / length;
+    const auto in_face = [&](const double x) { return (begin + (view.begin - x) / rings_per_face) / size; };
+    constexpr double snap = 1 / 16., low = 1.25;
+    return split_near(state, f, direction, in_face(view.high + snap), in_face(view.target), in_face(low - snap));
   }
 
-  // Faces that were touched in this round are left for the next one.
-  template <typename SurfaceFT>
-  Split split_once(State<SurfaceFT>& state, const int face, const int direction, const FT& distance)
+  // Splits a face between the fractions `low` and `high` of its extent in a direction. Faces that were touched in this
+  // round are left for the next one.
+  template <typename KnotFT>
+  Split split_near(State<KnotFT>& state, const int face, const int direction, const double low, const double target,
+                   const double high)
   {
-    const auto f = state.indexing.face(face);
+    const face_descriptor f = state.indexing.face(face);
     if (m_splits.touched().is_touched(f))
       return Split::LATER;
-    return m_splits.split(f, direction, distance).is_split ? Split::DONE : Split::IMPOSSIBLE;
+    const int axis = direction % 2;
+    const FT size = m_splits.coordinates().side_length(m_splits.coordinates().first_of_side(f, axis));
+    const auto at = [&](const double fraction) { return FT(size * FT(direction < 2 ? fraction : 1 - fraction)); };
+    const double step = std::exp2(std::floor(std::log2((high - low) / 8)));
+    const FT target_at = at(step * std::round(target / step)), low_at = at(low), high_at = at(high);
+    const FT x = m_split_position.near(f, axis, (std::min)(low_at, high_at), target_at, (std::max)(low_at, high_at));
+    return m_splits.split(f, axis, x).is_split ? Split::DONE : Split::IMPOSSIBLE;
+  }
+
+  // Splits the faces of a support that has no end.
+  template <typename KnotFT>
+  void divide_around_centre(State<KnotFT>& state, const Support& support)
+  {
+    const auto& arrays = state.structure.arrays();
+    const std::array<SurfaceFT, 2> p{support.centre().first, support.centre().second};
+    bool is_divided = false;
+    int cone = none;
+    for (const Support_face<SurfaceFT>& piece : support.faces()) {
+      const auto r = support.rectangle_of(piece);
+      SurfaceFT distance(0);
+      for (int axis = 0; axis < 2; ++axis)
+        distance = (std::max)({distance, SurfaceFT(r.low[axis] - p[axis]), SurfaceFT(p[axis] - r.high[axis])});
+      if ((std::max)(SurfaceFT(r.high[0] - r.low[0]), SurfaceFT(r.high[1] - r.low[1])) < distance / SurfaceFT(2))
+        continue;
+      if (state.cone_of_face[piece.face] != none)
+        cone = state.cone_of_face[piece.face];
+      else {
+        const int axis = arrays.width(piece.face) >= arrays.height(piece.face) ? 0 : 1;
+        split_near(state, piece.face, axis, 1 / 3., 1 / 2., 2 / 3.);
+        is_divided = true;
+      }
+    }
+    if (!is_divided && cone != none)
+      m_cones_to_do.push_back(state.indexing.vertex(cone));
   }
 
   // Splits the longest of the intervals on both sides of a vertex, outside of rings.
-  template <typename SurfaceFT>
-  Split split_longest_interval(State<SurfaceFT>& state, const Vertex_rays<FT>& rays, const int axis)
+  template <typename KnotFT>
+  Split split_longest_interval(State<KnotFT>& state, const Vertex_rays<KnotFT>& rays, const int axis)
   {
-    const Knot_ray<FT>* best = nullptr;
+    const Knot_ray<KnotFT>* best = nullptr;
     int best_interval = none;
-    FT best_length(0);
+    KnotFT best_length(0);
     for (const int direction : {axis, axis + 2})
       for (int i = 0; i < 2 && i < rays[direction].border; ++i) {
-        const Knot_ray<FT>& ray = rays[direction];
-        const FT length = i == 0 ? ray.distance[0] : FT(ray.distance[i] - ray.distance[i - 1]);
+        const Knot_ray<KnotFT>& ray = rays[direction];
+        const KnotFT length = i == 0 ? ray.distance[0] : KnotFT(ray.distance[i] - ray.distance[i - 1]);
         if (length > best_length && face_to_split(state, ray, i) != none) {
           best = &ray;
           best_interval = i;
           best_length = length;
         }
       }
-    return best == nullptr ? Split::IMPOSSIBLE : split_interval(state, *best, best_interval);
+    return best == nullptr ? Split::IMPOSSIBLE : halve_interval(state, *best, best_interval);
   }
 
   // The halfedge of an interval of a ray in a face outside of rings.
-  template <typename SurfaceFT>
-  int face_to_split(const State<SurfaceFT>& state, const Knot_ray<FT>& ray, const int i) const
+  template <typename KnotFT>
+  int face_to_split(const State<KnotFT>& state, const Knot_ray<KnotFT>& ray, const int i) const
   {
     const auto& arrays = state.structure.knot_arrays();
     const int h = ray.halfedge[i];
@@ -386,24 +417,29 @@ private:
   }
 
   // Splits a face across a ray, at the middle of one of its intervals.
-  template <typename SurfaceFT>
-  Split split_interval(State<SurfaceFT>& state, const Knot_ray<FT>& ray, const int i)
+  template <typename KnotFT>
+  Split halve_interval(State<KnotFT>& state, const Knot_ray<KnotFT>& ray, const int i)
   {
     const auto& arrays = state.structure.knot_arrays();
     const int h = face_to_split(state, ray, i);
     if (h == none)
       return Split::IMPOSSIBLE;
-    const int direction = ray.is_across[i] ? (arrays.side(h) + 1) % 4 : arrays.side(h);
-    const FT middle = ray.is_across[i] ? FT(arrays.side_length(arrays.face(h), direction) / FT(2))
-                                       : FT(arrays.begin(h) + arrays.knot(h) / FT(2));
-    return split_once(state, arrays.face(h), direction, middle);
+    const auto& coordinates = m_splits.coordinates();
+    const auto f = state.indexing.face(arrays.face(h));
+    if (m_splits.touched().is_touched(f))
+      return Split::LATER;
+    const auto g = state.indexing.halfedge(h);
+    const int direction = (arrays.side(h) + (ray.is_across[i] ? 1 : 0)) % 4;
+    const FT middle = ray.is_across[i] ? FT(coordinates.side_length(coordinates.first_of_side(f, direction)) / FT(2))
+                                       : FT(coordinates.place(g).begin + FT(get(m_splits.knots(), g)) / FT(2));
+    return m_splits.split(f, direction, middle).is_split ? Split::DONE : Split::IMPOSSIBLE;
   }
 
   // One of the extraordinary vertices in whose rings rays run.
-  template <typename SurfaceFT>
-  int cone_of_rays(const State<SurfaceFT>& state, const Vertex_rays<FT>& rays) const
+  template <typename KnotFT>
+  int cone_of_rays(const State<KnotFT>& state, const Vertex_rays<KnotFT>& rays) const
   {
-    for (const Knot_ray<FT>& ray : rays)
+    for (const Knot_ray<KnotFT>& ray : rays)
       for (const int h : ray.halfedge)
         if (h != none && state.cone_of_face[state.structure.arrays().face(h)] != none)
           return state.cone_of_face[state.structure.arrays().face(h)];
@@ -411,6 +447,7 @@ private:
   }
 
   Splits& m_splits;
+  typename Splits::Position m_split_position;
   Spline_repair_counts m_counts;
   bool m_checks_all = true;
   std::vector<vertex_descriptor> m_candidates, m_cones_to_do;

@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/T_mesh/internal/Basis_knots.h>
 #include <CGAL/T_splines/T_mesh/internal/Basis_support.h>
 #include <CGAL/T_splines/T_mesh/internal/Regular_rings.h>
+#include <CGAL/T_splines/T_mesh/internal/Ring_controls.h>
 #include <CGAL/T_splines/T_mesh/internal/T_mesh_arrays.h>
 #include <CGAL/T_splines/T_mesh/internal/Vertex_quarters.h>
 
@@ -96,15 +97,12 @@ public:
   {
     std::vector<Spline_defect> result;
     m_rings.clear();
-    m_may_be_overlapped_twice.assign(m_knot_arrays.number_of_faces(), false);
     for (const int v : m_extraordinary_vertices) {
       m_rings.emplace_back(m_knot_arrays, Vertex_quarters<KnotFT>(m_knot_arrays, v));
       if (!m_rings.back().are_regular())
         result.push_back({Status::IRREGULAR_RINGS, v, v, m_rings.back().bad_face()});
       else if (const int face = face_with_two(m_rings.back()); face != none)
         result.push_back({Status::IRREGULAR_RINGS, v, v, face});
-      else if (m_rings.back().valence() < 3)
-        allow_overlaps(m_rings.back());
     }
     return result;
   }
@@ -165,17 +163,19 @@ public:
 
   const Basis_knots<FT>& knots(const int v) const { return m_knots[v]; }
 
-  /// Conditions B and C: finds the supports of all vertices and calls `sink(v, support)` for each. \pre the knots are
-  /// found
+  /// Which basis functions may act in the faces at extraordinary vertices. \pre condition A holds
+  Ring_controls<FT> ring_controls() const { return Ring_controls<FT>(arrays(), m_rings); }
+
+  /// Condition B: finds the supports of all vertices and calls `sink(v, support)` for each. \pre the knots are found
   template <typename Sink>
   Spline_defect find_supports(const Sink& sink) const
   {
-    Basis_support<FT> support(arrays(), m_corner_of_face, m_may_be_overlapped_twice);
-    const Control_sets controls(*this);
+    const Ring_controls<FT> controls = ring_controls();
+    Basis_support<FT> support(arrays(), controls);
     for (int v = 0; v < m_knot_arrays.number_of_vertices(); ++v) {
       if (is_isolated(v))
         continue;
-      const Spline_defect defect = find_support(v, controls, support);
+      const Spline_defect defect = find_support(v, support);
       if (defect)
         return defect;
       sink(v, support);
@@ -183,46 +183,21 @@ public:
     return {};
   }
 
-  /// Calls `sink(defect, support)` for those of the vertices that violate B or C. \pre their knots are found
+  /// Calls `sink(defect, support)` for those of the vertices that violate B. \pre their knots are found
   template <typename Sink>
-  void for_each_support_defect(const std::vector<int>& vertices, const Sink& sink) const
+  void for_each_support_defect(const Ring_controls<FT>& controls, const std::vector<int>& vertices,
+                               const Sink& sink) const
   {
-    Basis_support<FT> support(arrays(), m_corner_of_face, m_may_be_overlapped_twice);
-    const Control_sets controls(*this);
+    Basis_support<FT> support(arrays(), controls);
     for (const int v : vertices) {
       if (is_isolated(v))
         continue;
-      if (const Spline_defect defect = find_support(v, controls, support))
+      if (const Spline_defect defect = find_support(v, support))
         sink(defect, support);
     }
   }
 
 private:
-  // Which vertices may act in the faces at extraordinary vertices.
-  class Control_sets {
-  public:
-    explicit Control_sets(const Spline_structure& structure)
-    {
-      m_first.resize(structure.arrays().number_of_faces(), none);
-      for (const Regular_rings<KnotFT>& rings : structure.rings())
-        for (int sector = 0; sector < rings.valence(); ++sector) {
-          m_first[rings.face(sector, 0, 0)] = static_cast<int>(m_controls.size());
-          m_controls.push_back(rings.controls(sector));
-          std::sort(m_controls.back().begin(), m_controls.back().end());
-        }
-    }
-
-    bool contains(const int face, const int v) const
-    {
-      const std::vector<int>& controls = m_controls[m_first[face]];
-      return std::binary_search(controls.begin(), controls.end(), v);
-    }
-
-  private:
-    std::vector<int> m_first; // per face
-    std::vector<std::vector<int>> m_controls;
-  };
-
   void classify_vertices()
   {
     m_valence.resize(m_knot_arrays.number_of_vertices());
@@ -257,14 +232,6 @@ private:
     return none;
   }
 
-  // Around a vertex of valence 1 or 2 supports come back to the rings from the other side.
-  void allow_overlaps(const Regular_rings<KnotFT>& rings)
-  {
-    for (int sector = 0; sector < rings.valence(); ++sector)
-      for (const std::array<int, 2>& cell : {std::array<int, 2>{1, 0}, {2, 0}, {0, 1}, {1, 1}, {2, 1}, {0, 2}, {1, 2}})
-        m_may_be_overlapped_twice[rings.face(sector, cell[0], cell[1])] = true;
-  }
-
   Basis_knots_finder<KnotFT> finder() const { return {m_knot_arrays, m_is_extraordinary, m_has_border}; }
 
   // The second knot outside may be any: it is not seen from the faces at the extraordinary vertex.
@@ -275,14 +242,15 @@ private:
     return k[2] == FT(0) && is_close(FT(k[2] - k[1])) && (is_close(FT(k[1] - k[0])) || is_close(FT(k[4] - k[3])));
   }
 
-  Spline_defect find_support(const int v, const Control_sets& controls, Basis_support<FT>& support) const
+  Spline_defect find_support(const int v, Basis_support<FT>& support) const
   {
-    support.find(Vertex_quarters<FT>(arrays(), v), m_knots[v]);
-    for (const Support_face<FT>& face : support.cone_faces())
-      if (!controls.contains(face.face, v))
-        return {Status::SUPPORT_REACHES_CONE, v, m_knot_arrays.target(m_corner_of_face[face.face]), face.face};
-    if (support.overlap() != none)
-      return {Status::SUPPORT_OVERLAPS_ITSELF, v, none, support.overlap()};
+    support.find(v, Vertex_quarters<FT>(arrays(), v), m_knots[v]);
+    if (support.reached_cone_face() != none) {
+      const int face = support.faces()[support.reached_cone_face()].face;
+      return {Status::SUPPORT_REACHES_CONE, v, m_knot_arrays.target(m_corner_of_face[face]), face};
+    }
+    if (support.endless_piece() != none)
+      return {Status::ENDLESS_SUPPORT, v, none, support.faces()[support.endless_piece()].face};
     return {};
   }
 
@@ -299,7 +267,7 @@ private:
   Arrays m_arrays; // empty if the number types are the same
   bool m_has_border = false;
   std::vector<int> m_valence, m_number_of_fans, m_extraordinary_vertices, m_corner_of_face;
-  std::vector<char> m_is_extraordinary, m_may_be_overlapped_twice;
+  std::vector<char> m_is_extraordinary;
   std::vector<Regular_rings<KnotFT>> m_rings;
   std::vector<Basis_knots<FT>> m_knots;
 };

@@ -17,9 +17,8 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// Where to split a face of a T-mesh in two: at a vertex in the middle third of the two sides that are cut, one that
-/// both have if there is one, or in the middle. A new knot so keeps a distance of a sixth of the face from the old
-/// ones.
+/// Where to split a face of a T-mesh in two: at a vertex of the two sides that are cut, if there is one near the place
+/// that is asked for, so that lines do not run close to each other.
 template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap>
 class Split_position {
   using Coordinates = T_mesh_coordinates<TMesh, HalfedgeKnotMap, HalfedgeCornerMap>;
@@ -37,19 +36,29 @@ public:
   {
   }
 
-  /// The distance from the side that is parallel to the cut.
+  /// The middle, or a vertex in the middle third. A new knot so keeps a distance of a sixth of the face from the old
+  /// ones.
   /// \param axis 0 for a cut along u = const, 1 for v = const
+  /// \return the distance from the side that is parallel to the cut
   FT operator()(const face_descriptor f, const int axis) const
   {
+    const FT size = m_coordinates.side_length(m_coordinates.first_of_side(f, axis));
+    return near(f, axis, FT(size / FT(3)), FT(size / FT(2)), FT(size * FT(2) / FT(3)));
+  }
+
+  /// The distance `target`, or that of the vertex closest to it between `low` and `high`; one that both sides have, if
+  /// there is one.
+  FT near(const face_descriptor f, const int axis, const FT& low, const FT& target, const FT& high) const
+  {
     const halfedge_descriptor first = m_coordinates.first_of_side(f, axis);
-    const FT size = m_coordinates.side_length(first), middle = size / FT(2);
-    FT best = middle, best_distance = size / FT(6);
-    bool is_best_met_twice = false;
+    const FT size = m_coordinates.side_length(first);
     const std::vector<FT> near = inner_knots(first), far = inner_knots(m_coordinates.first_of_side(f, axis + 2));
+    FT best = target, best_distance = size;
+    bool is_best_met_twice = false;
     const auto consider = [&](const FT& x, const bool is_met_twice) {
-      const FT distance = CGAL::abs(FT(x - middle));
-      if (distance > size / FT(6) || (is_best_met_twice && !is_met_twice))
+      if (x < low || x > high || (is_best_met_twice && !is_met_twice))
         return;
+      const FT distance = CGAL::abs(FT(x - target));
       if (distance < best_distance || (is_met_twice && !is_best_met_twice)) {
         best = x;
         best_distance = distance;
