@@ -4,13 +4,16 @@
 #ifndef CGAL_T_SPLINES_SPLINE_T_SPLINE_DEVIATION_REPORT_H
 #define CGAL_T_SPLINES_SPLINE_T_SPLINE_DEVIATION_REPORT_H
 
+#include <CGAL/T_splines/T_mesh/T_mesh_place.h>
 #include <CGAL/T_splines/internal/element_numbers.h>
 
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <string>
 
 namespace CGAL {
@@ -43,34 +46,73 @@ inline const char* message(const T_spline_deviation_status status)
 
 /// The distances of the points of one surface from another.
 struct One_way_deviation {
-  double rms = 0;     ///< root of the mean of the squared distances, weighted by area
-  double maximum = 0; ///< the largest distance
-  double extent = 0;  ///< the longest side of the bounding box of the mesh: that of the cube which encloses it
-  CGAL::Simple_cartesian<double>::Point_3 farthest_point = {0, 0, 0}; ///< the point with the largest distance
-  std::size_t number_of_samples = 0;                                  ///< at how many points distances were measured
+  double rms = 0;         ///< root of the mean of the squared distances, weighted by area
+  double maximum = 0;     ///< the largest distance found
+  double upper_bound = 0; ///< no distance is larger: proven
+  double extent = 0;      ///< the longest side of the bounding box of the mesh: that of the cube which encloses it
+  CGAL::Simple_cartesian<double>::Point_3 farthest_point = {0, 0, 0}; ///< the point with the largest distance found
+  CGAL::Simple_cartesian<double>::Point_3 closest_point = {0, 0, 0};  ///< the point of the other surface closest to it
+  double share_within_tolerance = 1; ///< of the area, the share with distances of at most the tolerance
+  double share_within_half = 1;      ///< and of at most half of it
+  std::size_t number_of_samples = 0; ///< at how many points distances were measured for the mean
 
-  double relative_rms() const { return extent > 0 ? rms / extent : 0; }
-  double relative_maximum() const { return extent > 0 ? maximum / extent : 0; }
+  double relative_rms() const { return relative(rms); }
+  double relative_maximum() const { return relative(maximum); }
+  double relative_upper_bound() const { return relative(upper_bound); }
+
+private:
+  double relative(const double distance) const { return extent > 0 ? distance / extent : 0; }
+};
+
+/// Where something was found: a place of the T-spline surface, and the face of the mesh next to it.
+/// \tparam TMesh the T-mesh, a model of `FaceGraph`
+/// \tparam TriangleMesh the mesh, a model of `FaceGraph`
+template <typename TMesh, typename TriangleMesh>
+struct Deviation_place {
+  T_mesh_place<TMesh, double> place;
+  typename boost::graph_traits<TriangleMesh>::face_descriptor mesh_face =
+      boost::graph_traits<TriangleMesh>::null_face();
+};
+
+/// The normals of a surface compared with those of a mesh at the closest points. Where a closest point lies on an edge
+/// or at a vertex, the triangle with the smallest angle counts. A fold is where that is a right angle or more.
+template <typename TMesh, typename TriangleMesh>
+struct Normal_deviation {
+  double largest_angle = 0;                                  ///< in radians: the largest angle found
+  CGAL::Simple_cartesian<double>::Point_3 point = {0, 0, 0}; ///< of the surface, with that angle
+  Deviation_place<TMesh, TriangleMesh> place;                ///< where that is
+  std::size_t number_of_patches = 0;                         ///< the Bezier patches
+  std::size_t number_of_folded_patches = 0;                  ///< those where a fold was found
+  std::size_t number_of_certified_patches = 0; ///< those for which bounds of the normals prove that there is none
 };
 
 /// What `measure_T_spline_deviation()` found. Members that `status` does not mention have no meaning.
-/// \tparam TriangleMesh a model of `FaceGraph`
-template <typename TriangleMesh>
+/// \tparam TMesh the T-mesh, a model of `FaceGraph`
+/// \tparam TriangleMesh the mesh, a model of `FaceGraph`
+template <typename TMesh, typename TriangleMesh>
 struct T_spline_deviation_report {
   using Traits = boost::graph_traits<TriangleMesh>;
 
   T_spline_deviation_status status = T_spline_deviation_status::MEASURED;
   typename Traits::vertex_descriptor vertex = Traits::null_vertex();
   typename Traits::face_descriptor face = Traits::null_face();
-  One_way_deviation mesh_to_surface; ///< of the points of the mesh from the surface
-  One_way_deviation surface_to_mesh; ///< of the points of the surface from the mesh
-  int resolution = 0;                ///< of the tessellation: the parts of the side of a face
+  One_way_deviation mesh_to_surface;                          ///< of the points of the mesh from the surface
+  One_way_deviation surface_to_mesh;                          ///< of the points of the surface from the mesh
+  Deviation_place<TMesh, TriangleMesh> mesh_to_surface_place; ///< of the largest distance
+  Deviation_place<TMesh, TriangleMesh> surface_to_mesh_place; ///< of the largest distance
+  Normal_deviation<TMesh, TriangleMesh> normals;
+  double tolerance = (std::numeric_limits<double>::infinity)(); ///< as it was given: a length
 
-  /// returns the Hausdorff distance, as sampled.
-  double maximum() const
-  {
-    return mesh_to_surface.maximum < surface_to_mesh.maximum ? surface_to_mesh.maximum : mesh_to_surface.maximum;
-  }
+  /// returns the Hausdorff distance, as found.
+  double maximum() const { return (std::max)(mesh_to_surface.maximum, surface_to_mesh.maximum); }
+
+  /// returns a proven bound of the Hausdorff distance.
+  double upper_bound() const { return (std::max)(mesh_to_surface.upper_bound, surface_to_mesh.upper_bound); }
+
+  /// returns whether no distance was found that exceeds the tolerance.
+  bool is_within_tolerance() const { return maximum() <= tolerance; }
+
+  bool has_folds() const { return normals.number_of_folded_patches > 0; }
 
   bool success() const { return status == T_spline_deviation_status::MEASURED; }
   explicit operator bool() const { return success(); }
@@ -78,8 +120,8 @@ struct T_spline_deviation_report {
 
 /// returns what `report` says, with the numbers of the elements concerned, counted from 0. Complexity: linear in the
 /// size of the mesh.
-template <typename TriangleMesh>
-std::string describe(const T_spline_deviation_report<TriangleMesh>& report, const TriangleMesh& mesh)
+template <typename TMesh, typename TriangleMesh>
+std::string describe(const T_spline_deviation_report<TMesh, TriangleMesh>& report, const TriangleMesh& mesh)
 {
   return message(report.status) + internal::numbered_elements(mesh, report.vertex, report.face);
 }

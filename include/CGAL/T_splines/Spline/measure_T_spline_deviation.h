@@ -4,11 +4,17 @@
 #ifndef CGAL_T_SPLINES_SPLINE_MEASURE_T_SPLINE_DEVIATION_H
 #define CGAL_T_SPLINES_SPLINE_MEASURE_T_SPLINE_DEVIATION_H
 
+#include <CGAL/T_splines/Spline/Compiled_T_spline.h>
 #include <CGAL/T_splines/Spline/T_spline_deviation_report.h>
+#include <CGAL/T_splines/Spline/compile_T_spline.h>
+#include <CGAL/T_splines/Spline/internal/Distance_sum.h>
+#include <CGAL/T_splines/Spline/internal/Distances_to_mesh.h>
+#include <CGAL/T_splines/Spline/internal/Distances_to_surface.h>
+#include <CGAL/T_splines/Spline/internal/Fold_search.h>
+#include <CGAL/T_splines/Spline/internal/Measured_surface.h>
+#include <CGAL/T_splines/Spline/internal/Mesh_normals.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
-#include <CGAL/T_splines/Spline/internal/area_samples.h>
-#include <CGAL/T_splines/Spline/tessellate_T_spline.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -20,159 +26,219 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// Distances of weighted points.
-class Deviation_sum {
+/// Measures a compiled surface against a mesh.
+template <typename Compiled, typename TriangleMesh>
+class Deviation_measurement {
+  using TMesh = typename Compiled::TMesh;
+  using Measured = Measured_surface<Compiled>;
+  using Report = T_spline_deviation_report<TMesh, TriangleMesh>;
+  using Place = Deviation_place<TMesh, TriangleMesh>;
+
 public:
-  void add(const Triangle_set::Point_3& p, const double weight, const double distance)
+  /// \pre the mesh has been read, and the surface is finite
+  Deviation_measurement(const Triangle_set& mesh, const Triangle_reading<TriangleMesh>& reading, Measured& surface,
+                        Report& report)
+    : m_mesh(mesh),
+      m_reading(reading),
+      m_surface(surface),
+      m_report(report),
+      m_extent(mesh.extent()),
+      m_face_deviations(surface.compiled().indexing().number_of_faces(), 0.),
+      m_face_is_folded(surface.compiled().indexing().number_of_faces(), false)
   {
-    m_weight += weight;
-    m_sum += weight * distance * distance;
-    ++m_result.number_of_samples;
-    if (distance > m_result.maximum || m_result.number_of_samples == 1) {
-      m_result.maximum = distance;
-      m_result.farthest_point = p;
-    }
   }
 
-  One_way_deviation result(const double extent) const
+  void measure_surface()
   {
-    One_way_deviation result = m_result;
-    result.extent = extent;
-    result.rms = m_weight > 0 ? std::sqrt(m_sum / m_weight) : 0;
-    return result;
+    const Triangle_tree tree(m_mesh);
+    const Mesh_normals normals(m_mesh);
+    Distances_to_mesh<Measured> distances(m_surface, tree, negligible());
+    Fold_search<Measured> folds(m_surface, tree, normals);
+    Distance_sum sum(m_report.tolerance);
+    const auto visit = [&](const Surface_sample& sample, const double distance) {
+      attribute(m_surface.domain(sample.patch).face, distance);
+      folds.visit(sample);
+    };
+    distances.measure(number_of_samples(), sum, visit);
+    distances.search(number_of_steps(), visit);
+    folds.search();
+
+    One_way_deviation& result = m_report.surface_to_mesh;
+    const Surface_sample& farthest = distances.farthest();
+    sum.add_to(result);
+    set_maximum(farthest.point, farthest.foot.point, farthest.foot.distance(), distances.upper_bound(), result);
+    m_report.surface_to_mesh_place = place_of(farthest);
+    m_report.normals.largest_angle = std::acos(std::clamp(folds.smallest_cosine(), -1., 1.));
+    m_report.normals.point = folds.worst().point;
+    m_report.normals.place = place_of(folds.worst());
+    m_report.normals.number_of_patches = m_surface.number_of_patches();
+    m_report.normals.number_of_folded_patches = folds.number_of_folds();
+    m_report.normals.number_of_certified_patches = folds.number_of_certified();
+    for (std::size_t i = 0; i < m_surface.number_of_patches(); ++i)
+      if (folds.has_fold(i))
+        m_face_is_folded[m_surface.domain(i).face] = true;
   }
+
+  void measure_mesh()
+  {
+    m_surface.prepare();
+    Distances_to_surface<Measured> distances(m_mesh, m_surface, negligible());
+    using Sample = typename Distances_to_surface<Measured>::Sample;
+    Distance_sum sum(m_report.tolerance);
+    const auto visit = [&](const Sample& sample) { attribute(sample.foot.face, sample.foot.distance); };
+    distances.measure(number_of_samples(), sum, m_vertex_distances, visit);
+    distances.search(number_of_steps(), visit);
+
+    One_way_deviation& result = m_report.mesh_to_surface;
+    const Sample& farthest = distances.farthest();
+    sum.add_to(result);
+    set_maximum(farthest.point, farthest.foot.point, farthest.foot.distance, distances.upper_bound(), result);
+    m_report.mesh_to_surface_place = {{m_surface.compiled().indexing().face(farthest.foot.face),
+                                       CGAL::to_double(farthest.foot.u), CGAL::to_double(farthest.foot.v)},
+                                      m_reading.faces[farthest.triangle]};
+  }
+
+  const std::vector<double>& vertex_distances() const { return m_vertex_distances; }
+  double face_deviation(const std::size_t face) const { return m_face_deviations[face]; }
+  bool is_folded(const std::size_t face) const { return m_face_is_folded[face]; }
 
 private:
-  double m_weight = 0, m_sum = 0;
-  One_way_deviation m_result;
+  // Distances that need not be told apart.
+  double negligible() const { return 1e-7 * m_extent; }
+
+  // Enough for means, and for all patches of a usual surface.
+  double number_of_samples() const { return (std::max)(100000., 0.5 * static_cast<double>(m_mesh.triangles.size())); }
+
+  // Where distances are almost constant, the search would not end soon.
+  std::size_t number_of_steps() const { return static_cast<std::size_t>(number_of_samples() / 2); }
+
+  void attribute(const int face, const double distance)
+  {
+    m_face_deviations[face] = (std::max)(m_face_deviations[face], distance);
+  }
+
+  void set_maximum(const Triangle_set::Point_3& farthest, const Triangle_set::Point_3& closest, const double distance,
+                   const double upper_bound, One_way_deviation& result) const
+  {
+    result.maximum = distance;
+    result.upper_bound = upper_bound;
+    result.extent = m_extent;
+    result.farthest_point = farthest;
+    result.closest_point = closest;
+  }
+
+  Place place_of(const Surface_sample& sample) const
+  {
+    const typename Measured::Domain& domain = m_surface.domain(sample.patch);
+    const auto face = m_surface.compiled().indexing().face(domain.face);
+    const double width = CGAL::to_double(m_surface.compiled().width(face)),
+                 height = CGAL::to_double(m_surface.compiled().height(face));
+    return {{face, (std::min)(domain.u + sample.s / domain.u_factor, width),
+             (std::min)(domain.v + sample.t / domain.v_factor, height)},
+            m_reading.faces[sample.foot.triangle]};
+  }
+
+  const Triangle_set& m_mesh;
+  const Triangle_reading<TriangleMesh>& m_reading;
+  Measured& m_surface;
+  Report& m_report;
+  double m_extent;
+  std::vector<double> m_vertex_distances, m_face_deviations;
+  std::vector<bool> m_face_is_folded;
 };
 
-/// Four times as many triangles as the mesh has, at least 200000, and at least 4 parts per side.
-inline int deviation_resolution(const std::size_t number_of_triangles, const std::size_t number_of_faces)
-{
-  const double triangles = (std::max)(4 * static_cast<double>(number_of_triangles), 200000.);
-  const double parts = std::sqrt(triangles / (2 * (std::max)(static_cast<double>(number_of_faces), 1.)));
-  return (std::max)(static_cast<int>(std::ceil(parts)), 4);
-}
-
-/// The tessellation in doubles. \return whether its points are finite
+/// The compiled surface, or the surface itself if it is one: a reference then.
 template <typename Surface>
-bool tessellate(const Surface& surface, const int resolution, Triangle_set& set)
+decltype(auto) as_compiled(const Surface& surface)
 {
-  const auto tessellation = tessellate_parameter_domain(surface, resolution);
-  std::vector<typename Surface::Point_3> positions;
-  positions.reserve(tessellation.places.size());
-  surface.positions(tessellation.places, std::back_inserter(positions));
-  set.points.reserve(positions.size());
-  for (const auto& p : positions)
-    set.points.push_back(point_in_doubles(p));
-  set.triangles = tessellation.triangles;
-  return std::all_of(set.points.begin(), set.points.end(), is_within_range);
-}
-
-/// How large a triangle of the mesh may be if it is measured at its corners alone: some triangles of the tessellation.
-inline double measured_size(const Triangle_set& mesh, const Triangle_set& surface)
-{
-  constexpr double sides_of_triangles = 4, most_parts_of_extent = 1000, samples_per_triangle = 2,
-                   smallest_number_of_samples = 100000;
-  double surface_area = 0;
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
-    surface_area += area(surface.triangle(i));
-  const double side = std::sqrt(surface_area / static_cast<double>(surface.triangles.size()));
-  const double size = (std::max)(
-      {sides_of_triangles * side, mesh.extent() / most_parts_of_extent, (std::numeric_limits<double>::min)()});
-  const double number = samples_per_triangle * static_cast<double>(mesh.triangles.size() + surface.triangles.size());
-  return affordable_size(mesh, size, (std::max)(number, smallest_number_of_samples));
-}
-
-/// Measures the distances of some triangles from others.
-/// \param size as for `visit_area_samples()`
-/// \param visit_point called with the number of each point and its distance
-template <typename VisitPoint>
-Deviation_sum one_way_deviation(const Triangle_set& from, const double size, const Triangle_set& to,
-                                const VisitPoint& visit_point)
-{
-  const Triangle_tree tree(to);
-  Deviation_sum sum;
-  const std::vector<double> weights = visit_area_samples(
-      from, size, [&](const Triangle_set::Point_3& p, const double weight) { sum.add(p, weight, tree.distance(p)); });
-  for (std::size_t i = 0; i < from.points.size(); ++i) {
-    const double distance = tree.distance(from.points[i]);
-    sum.add(from.points[i], weights[i], distance);
-    visit_point(i, distance);
-  }
-  return sum;
+  using Compiled = Compiled_T_spline<typename Surface::TMesh, typename Surface::Kernel>;
+  if constexpr (std::is_same<Surface, Compiled>::value)
+    return (surface);
+  else
+    return compile_T_spline(surface);
 }
 
 } // namespace internal
 
-/// measures the distances between a T-spline surface and a triangle mesh, both ways. They are distances in space,
-/// between a point of the one and the closest point of the other: no parametrization is involved.
+/// measures the distances between a T-spline surface and a triangle mesh, both ways, and the angles between their
+/// normals. They are distances in space, between a point of the one and the closest point of the other: no
+/// parametrization is involved.
 ///
-/// For this, the surface is tessellated. So the distances of the mesh from the surface have an error of second order in
-/// the size of the tessellation's triangles. They are measured at all vertices of the mesh and also inside of those
-/// triangles that are large compared with the tessellation's, as densely as about two samples per triangle of both
-/// allow; those of the surface at the vertices of the tessellation. Means are weighted by area.
-/// \tparam Surface a `T_spline_surface` or a `Compiled_T_spline`, with which this is faster
+/// Distances are measured at points in all Bezier patches of the surface, and at all vertices, along edges and inside
+/// of triangles of the mesh, as densely as the patches are next to them. Then the largest distance is searched by branch
+/// and bound, until it is certain to 1 percent; where this would take too long, as for surfaces that are equally far
+/// everywhere, `upper_bound` tells what is certain. Means are weighted by area.
+///
+/// Around extraordinary vertices the caps of `compile_T_spline()` are measured; how far they are from the surface,
+/// `cap_deviation()` tells.
+/// \tparam Surface a `T_spline_surface` or a `Compiled_T_spline`, with which this is faster; their `FT` is `double` or
+///   `long double`
 /// \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
 /// \param surface \pre it is valid
 /// \param mesh it may have borders, several components and degenerate faces. Vertices without faces do not count.
 /// \param np optional named parameters:
 ///   `CGAL::parameters::vertex_point_map`: points of the mesh, of any kernel; the distances are computed in doubles;
-///   `T_splines::parameters::tessellation_resolution`: an `int` of at least 2, the number of parts into which each side
-///     of a face of the T-mesh is divided (default: the number, at least 4, with which the tessellation has about four
-///     times as many triangles as the mesh and 200000 at least);
+///   `T_splines::parameters::tolerance`: a `double`, the distance that is allowed, a length (infinite);
 ///   `T_splines::parameters::vertex_distance_map`: vertex of the mesh -> `double`, writable: its distance from the
-///     surface; written upon success, for the vertices of faces
-/// \return the distances, or why there are none. `Mesh_distance` tells the distances of other points from the mesh.
-/// Complexity: for n triangles of mesh and tessellation, n log n as a rule.
+///     surface; written upon success, for the vertices of faces;
+///   `T_splines::parameters::face_deviation_map`: face of the T-mesh -> `double`, writable: the largest distance found
+///     of a point of the face from the mesh, and of a point of the mesh whose closest point is in the face;
+///   `T_splines::parameters::face_is_folded_map`: face of the T-mesh -> `bool`, writable: whether it has a fold
+/// \return the distances and angles, or why there are none. `Mesh_distance` tells the distances of other points from the
+/// mesh. Complexity: for n triangles and patches, n log n as a rule.
 template <typename Surface, typename TriangleMesh,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-T_spline_deviation_report<TriangleMesh>
+T_spline_deviation_report<typename Surface::TMesh, TriangleMesh>
 measure_T_spline_deviation(const Surface& surface, const TriangleMesh& mesh,
                            const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
+  using Compiled = Compiled_T_spline<typename Surface::TMesh, typename Surface::Kernel>;
   const auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, mesh));
   const auto distance_map = get_parameter(np, np_tags::vertex_distance_map);
+  const auto deviation_map = get_parameter(np, np_tags::face_deviation_map);
+  const auto fold_map = get_parameter(np, np_tags::face_is_folded_map);
 
-  internal::Triangle_set triangles, tessellation;
-  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices_read;
-  T_spline_deviation_report<TriangleMesh> report =
-      internal::read_triangle_set(mesh, point_map, triangles, &vertices_read);
+  T_spline_deviation_report<typename Surface::TMesh, TriangleMesh> report;
+  report.tolerance = choose_parameter(get_parameter(np, np_tags::tolerance), (std::numeric_limits<double>::infinity)());
+  internal::Triangle_set triangles;
+  const auto reading = internal::read_triangle_set(mesh, point_map, triangles);
+  report.status = reading.status;
+  report.vertex = reading.vertex;
+  report.face = reading.face;
   if (!report.success())
     return report;
-  const int default_resolution =
-      internal::deviation_resolution(triangles.triangles.size(), surface.indexing().number_of_faces());
-  report.resolution = choose_parameter(get_parameter(np, np_tags::tessellation_resolution), default_resolution);
-  if (!internal::tessellate(surface, report.resolution, tessellation)) {
-    report.status = T_spline_deviation_status::SURFACE_NOT_FINITE;
-    return report;
-  }
-  if (tessellation.triangles.empty()) {
+  const Compiled& compiled = internal::as_compiled(surface);
+  internal::Measured_surface<Compiled> measured(compiled);
+  if (measured.number_of_patches() == 0)
     report.status = T_spline_deviation_status::SURFACE_WITHOUT_FACES;
+  else if (!measured.is_finite())
+    report.status = T_spline_deviation_status::SURFACE_NOT_FINITE;
+  if (!report.success())
     return report;
-  }
 
-  const double extent = triangles.extent(), size = internal::measured_size(triangles, tessellation);
-  constexpr double any_size = (std::numeric_limits<double>::max)();
-  report.surface_to_mesh =
-      internal::one_way_deviation(tessellation, any_size, triangles, [](std::size_t, double) {}).result(extent);
-  const auto put_distance = [&](const std::size_t i, const double distance) {
-    if constexpr (!internal::is_missing<decltype(distance_map)>)
-      put(distance_map, vertices_read[i], distance);
-  };
-  report.mesh_to_surface = internal::one_way_deviation(triangles, size, tessellation, put_distance).result(extent);
+  internal::Deviation_measurement<Compiled, TriangleMesh> measurement(triangles, reading, measured, report);
+  measurement.measure_surface();
+  measurement.measure_mesh();
+  if constexpr (!internal::is_missing<decltype(distance_map)>)
+    for (std::size_t i = 0; i < reading.vertices.size(); ++i)
+      put(distance_map, reading.vertices[i], measurement.vertex_distances()[i]);
+  for (int f = 0; f < compiled.indexing().number_of_faces(); ++f) {
+    if constexpr (!internal::is_missing<decltype(deviation_map)>)
+      put(deviation_map, compiled.indexing().face(f), measurement.face_deviation(f));
+    if constexpr (!internal::is_missing<decltype(fold_map)>)
+      put(fold_map, compiled.indexing().face(f), measurement.is_folded(f));
+  }
   return report;
 }
 

@@ -37,8 +37,10 @@ CGAL_T_SPLINES_NAMED_PARAMETER(number_of_samples)
 CGAL_T_SPLINES_NAMED_PARAMETER(number_of_rings)
 CGAL_T_SPLINES_NAMED_PARAMETER(fairness)
 CGAL_T_SPLINES_NAMED_PARAMETER(maximum_number_of_control_points)
-CGAL_T_SPLINES_NAMED_PARAMETER(tessellation_resolution)
 CGAL_T_SPLINES_NAMED_PARAMETER(vertex_distance_map)
+CGAL_T_SPLINES_NAMED_PARAMETER(tolerance)
+CGAL_T_SPLINES_NAMED_PARAMETER(face_deviation_map)
+CGAL_T_SPLINES_NAMED_PARAMETER(face_is_folded_map)
 
 // IO
 CGAL_T_SPLINES_NAMED_PARAMETER(vertex_weight_map)

@@ -69,19 +69,28 @@ inline bool is_within_range(const Triangle_set::Point_3& p)
          std::abs(p.z()) <= largest_measured_coordinate;
 }
 
+/// How a mesh was read, with the vertex or face concerned.
+template <typename TriangleMesh>
+struct Triangle_reading {
+  using Traits = boost::graph_traits<TriangleMesh>;
+
+  T_spline_deviation_status status = T_spline_deviation_status::MEASURED;
+  typename Traits::vertex_descriptor vertex = Traits::null_vertex();
+  typename Traits::face_descriptor face = Traits::null_face();
+  std::vector<typename Traits::vertex_descriptor> vertices; ///< of the points
+  std::vector<typename Traits::face_descriptor> faces;      ///< of the triangles
+};
+
 /// Reads a mesh. Its points are the vertices of faces, in the order in which faces name them: neighbours follow each
 /// other.
-/// \param vertices_read receives the vertex of each point, unless null
-/// \return the status, with the vertex or face concerned
 template <typename TriangleMesh, typename VertexPointMap>
-T_spline_deviation_report<TriangleMesh>
-read_triangle_set(const TriangleMesh& mesh, const VertexPointMap point_map, Triangle_set& set,
-                  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>* vertices_read = nullptr)
+Triangle_reading<TriangleMesh> read_triangle_set(const TriangleMesh& mesh, const VertexPointMap point_map,
+                                                 Triangle_set& set)
 {
   using Index_map =
       typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<std::size_t>>::const_type;
   constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  T_spline_deviation_report<TriangleMesh> report;
+  Triangle_reading<TriangleMesh> reading;
   const Index_map index = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
   for (const auto v : CGAL::make_range(vertices(mesh)))
     put(index, v, none);
@@ -93,27 +102,27 @@ read_triangle_set(const TriangleMesh& mesh, const VertexPointMap point_map, Tria
       if (get(index, v) == none) {
         put(index, v, set.points.size());
         set.points.push_back(point_in_doubles(get(point_map, v)));
-        if (vertices_read != nullptr)
-          vertices_read->push_back(v);
+        reading.vertices.push_back(v);
         if (!is_within_range(set.points.back())) {
-          report.status = T_spline_deviation_status::VERTEX_NOT_FINITE;
-          report.vertex = v;
-          return report;
+          reading.status = T_spline_deviation_status::VERTEX_NOT_FINITE;
+          reading.vertex = v;
+          return reading;
         }
       }
       corner = get(index, v);
       h = next(h, mesh);
     }
     if (h != halfedge(f, mesh)) {
-      report.status = T_spline_deviation_status::NOT_TRIANGULATED;
-      report.face = f;
-      return report;
+      reading.status = T_spline_deviation_status::NOT_TRIANGULATED;
+      reading.face = f;
+      return reading;
     }
     set.triangles.push_back(triangle);
+    reading.faces.push_back(f);
   }
   if (set.triangles.empty())
-    report.status = T_spline_deviation_status::NO_FACES;
-  return report;
+    reading.status = T_spline_deviation_status::NO_FACES;
+  return reading;
 }
 
 } // namespace internal

@@ -4,15 +4,12 @@
 #ifndef CGAL_T_SPLINES_SPLINE_INTERNAL_TRIANGLE_TREE_H
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_TRIANGLE_TREE_H
 
+#include <CGAL/T_splines/Spline/internal/Box_tree.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
-#include <CGAL/T_splines/internal/cgal_compatibility.h>
 
-#include <CGAL/AABB_tree.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -56,79 +53,79 @@ inline Triangle_set::Point_3 closest_of_triangle(const Triangle_set::Point_3& p,
 
 /// A tree of triangles that finds closest points. Queries may run in any number of threads.
 class Triangle_tree {
-  using Base_kernel = Triangle_set::Kernel;
-
 public:
   using Point_3 = Triangle_set::Point_3;
   using Triangle_3 = Triangle_set::Triangle_3;
 
+  /// The point of the triangles that is closest to a given one.
+  struct Foot {
+    double squared_distance = std::numeric_limits<double>::infinity();
+    std::size_t triangle = 0; ///< one of those that contain the point
+    Point_3 point;
+
+    double distance() const { return std::sqrt(squared_distance); }
+  };
+
   explicit Triangle_tree(const Triangle_set& set)
   {
+    std::vector<Axis_parallel_box<double>> boxes(set.triangles.size());
     m_triangles.reserve(set.triangles.size());
-    for (std::size_t i = 0; i < set.triangles.size(); ++i)
+    for (std::size_t i = 0; i < set.triangles.size(); ++i) {
       m_triangles.push_back(set.triangle(i));
-    for (const Triangle_3& t : m_triangles)
-      m_tree.insert(Primitive(t));
-    m_tree.build();
-    const auto starts = distinct_points(set);
-    m_tree.accelerate_distance_queries(starts.begin(), starts.end());
+      for (int k = 0; k < 3; ++k)
+        boxes[i].extend({m_triangles[i][k].x(), m_triangles[i][k].y(), m_triangles[i][k].z()});
+    }
+    m_tree = Box_tree<double>(boxes);
   }
 
-  Triangle_tree(const Triangle_tree&) = delete;
-  Triangle_tree& operator=(const Triangle_tree&) = delete;
+  const Triangle_3& triangle(const std::size_t i) const { return m_triangles[i]; }
 
   /// \pre there are triangles
-  Point_3 closest_point(const Point_3& p) const { return m_tree.closest_point(p); }
+  Foot foot(const Point_3& p) const
+  {
+    Foot result;
+    search(p, result);
+    return result;
+  }
 
-  double distance(const Point_3& p) const { return std::sqrt(CGAL::squared_distance(p, closest_point(p))); }
+  /// The same; faster, if the triangle with the number `hint` is near p.
+  Foot foot(const Point_3& p, const std::size_t hint) const
+  {
+    Foot result;
+    offer(p, hint, result);
+    search(p, result);
+    return result;
+  }
+
+  Point_3 closest_point(const Point_3& p) const { return foot(p).point; }
+
+  double distance(const Point_3& p) const { return foot(p).distance(); }
+
+  /// Calls `visit(i)` for the triangles whose bounding boxes are closer to p than a radius.
+  template <typename Visit>
+  void for_each_near(const Point_3& p, const double radius, const Visit& visit) const
+  {
+    m_tree.for_each_closer(
+        {p.x(), p.y(), p.z()}, [=] { return radius * radius; }, visit);
+  }
 
 private:
-  // A kernel with another projection.
-  struct Kernel : Base_kernel {
-    struct Construct_projected_point_3 {
-      Point_3 operator()(const Triangle_3& t, const Point_3& p) const { return closest_of_triangle(p, t); }
-    };
-    Construct_projected_point_3 construct_projected_point_3_object() const { return {}; }
-  };
-
-  class Primitive {
-  public:
-    using Id = const Triangle_3*;
-    using Point = Point_3;
-    using Datum = Triangle_3;
-
-    explicit Primitive(const Triangle_3& t) : m_triangle(&t) {}
-    Id id() const { return m_triangle; }
-    const Datum& datum() const { return *m_triangle; }
-    const Point& reference_point() const { return m_triangle->vertex(0); }
-
-  private:
-    Id m_triangle;
-  };
-
-  using Tree = CGAL::AABB_tree<AABB_traits_for_3<Kernel, Primitive>>;
-  using Start = typename Tree::Point_and_primitive_id;
-
-  // Where searches may begin: CGAL's tree of points needs quadratic time for points that coincide, as in a fan.
-  std::vector<Start> distinct_points(const Triangle_set& set) const
+  void offer(const Point_3& p, const std::size_t i, Foot& best) const
   {
-    std::vector<Start> starts;
-    starts.reserve(set.points.size());
-    std::vector<bool> is_added(set.points.size(), false);
-    for (std::size_t i = 0; i < set.triangles.size(); ++i)
-      for (const std::size_t p : set.triangles[i])
-        if (!is_added[p]) {
-          is_added[p] = true;
-          starts.emplace_back(set.points[p], &m_triangles[i]);
-        }
-    std::sort(starts.begin(), starts.end());
-    const auto is_same_point = [](const Start& a, const Start& b) { return a.first == b.first; };
-    starts.erase(std::unique(starts.begin(), starts.end(), is_same_point), starts.end());
-    return starts;
+    const Point_3 q = closest_of_triangle(p, m_triangles[i]);
+    const double squared_distance = CGAL::squared_distance(p, q);
+    if (squared_distance < best.squared_distance)
+      best = {squared_distance, i, q};
+  }
+
+  void search(const Point_3& p, Foot& best) const
+  {
+    m_tree.for_each_closer(
+        {p.x(), p.y(), p.z()}, [&] { return best.squared_distance; }, [&](const std::size_t i) { offer(p, i, best); });
   }
 
   std::vector<Triangle_3> m_triangles;
-  Tree m_tree;
+  Box_tree<double> m_tree;
 };
 
 } // namespace internal

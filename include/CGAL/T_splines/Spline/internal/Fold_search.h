@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_SPLINE_INTERNAL_FOLD_SEARCH_H
+#define CGAL_T_SPLINES_SPLINE_INTERNAL_FOLD_SEARCH_H
+
+#include <CGAL/T_splines/Spline/internal/Bezier_part.h>
+#include <CGAL/T_splines/Spline/internal/Distances_to_mesh.h>
+#include <CGAL/T_splines/Spline/internal/Mesh_normals.h>
+#include <CGAL/T_splines/Spline/internal/Normal_hull.h>
+#include <CGAL/T_splines/Spline/internal/Triangle_set.h>
+#include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// Compares the normals of a surface with those of a mesh at the closest points.
+///
+/// A patch has no fold where a cone around its normals, from the Bernstein coefficients of the homogeneous normal, and
+/// the normals of all triangles on which closest points may lie are within a right angle. Patches for which that is not
+/// shown, and whose samples have turned far, are sampled more densely.
+/// \tparam Measured a `Measured_surface`
+template <typename Measured>
+class Fold_search {
+  using Point_3 = Triangle_set::Point_3;
+  using Vector_3 = Triangle_set::Kernel::Vector_3;
+  using Patch = typename Measured::Patch;
+
+public:
+  Fold_search(const Measured& surface, const Triangle_tree& mesh, const Mesh_normals& normals)
+    : m_surface(surface),
+      m_mesh(mesh),
+      m_normals(normals),
+      m_cosines(surface.number_of_patches(), 1.),
+      m_triangles(surface.number_of_patches(), 0)
+  {
+  }
+
+  /// Takes a sample into account.
+  void visit(const Surface_sample& sample)
+  {
+    m_triangles[sample.patch] = sample.foot.triangle;
+    const double length = std::sqrt(sample.normal.squared_length());
+    if (!(length > 0))
+      return;
+    double& smallest = m_cosines[sample.patch];
+    smallest = (std::min)(smallest, m_normals.cosine(sample.normal / length, sample.foot, smallest));
+    if (smallest < m_smallest_cosine) {
+      m_smallest_cosine = smallest;
+      m_worst = sample;
+    }
+  }
+
+  /// Looks at all patches, after some samples of each were visited.
+  void search()
+  {
+    constexpr double far_turned = 0.5;
+    for (std::size_t i = 0; i < m_surface.number_of_patches(); ++i) {
+      if (m_cosines[i] > 0 && is_certified(m_surface.patch(i), m_triangles[i], largest_depth))
+        ++m_number_of_certified;
+      else if (m_cosines[i] < far_turned)
+        sample_densely(i);
+      if (m_cosines[i] <= 0)
+        ++m_number_of_folds;
+    }
+  }
+
+  std::size_t number_of_folds() const { return m_number_of_folds; }
+  std::size_t number_of_certified() const { return m_number_of_certified; }
+  bool has_fold(const std::size_t patch) const { return m_cosines[patch] <= 0; }
+  double smallest_cosine() const { return m_smallest_cosine; }
+  const Surface_sample& worst() const { return m_worst; }
+
+private:
+  static constexpr int largest_depth = 2;
+
+  void sample_densely(const std::size_t patch)
+  {
+    constexpr int n = 12;
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+        visit(surface_sample(m_surface, m_mesh, patch, (i + 0.5) / n, (j + 0.5) / n, m_triangles[patch]));
+  }
+
+  // Of a patch or a part of one; if it is not shown for the whole, then for all four quarters.
+  bool is_certified(const Patch& patch, const std::size_t hint, const int depth) const
+  {
+    if (is_shown(patch, hint))
+      return true;
+    if (depth == 0)
+      return false;
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const double s = quarter % 2 == 0 ? 0 : 0.5, t = quarter / 2 == 0 ? 0 : 0.5;
+      if (!is_certified(restricted(patch, {s, s + 0.5, t, t + 0.5}), hint, depth - 1))
+        return false;
+    }
+    return true;
+  }
+
+  bool is_shown(const Patch& patch, const std::size_t hint) const
+  {
+    for (const auto& h : patch.homogeneous_control_points())
+      if (!(h[3] > 0))
+        return false;
+    const Direction_cone cone = cone_of(normal_hull(patch));
+    if (!(cone.cosine > 0))
+      return false;
+    const Point_3 middle = patch.position(0.5, 0.5);
+    double squared_radius = 0;
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 4; ++i)
+        squared_radius = (std::max)(squared_radius, CGAL::squared_distance(middle, patch.control_point(i, j)));
+    // The closest point of a point that is r from the middle is no farther from that than r + (r + the distance).
+    const double reach = 2 * std::sqrt(squared_radius) + m_mesh.foot(middle, hint).distance();
+    const double sine = std::sqrt((std::max)(0., 1 - cone.cosine * cone.cosine));
+    bool result = true;
+    m_mesh.for_each_near(middle, reach, [&](const std::size_t i) {
+      const Vector_3& normal = m_normals.normal(i);
+      if (!result || normal == CGAL::NULL_VECTOR || normal * cone.axis > sine)
+        return;
+      const Point_3 q = closest_of_triangle(middle, m_mesh.triangle(i));
+      result = CGAL::squared_distance(middle, q) > reach * reach;
+    });
+    return result;
+  }
+
+  const Measured& m_surface;
+  const Triangle_tree& m_mesh;
+  const Mesh_normals& m_normals;
+  std::vector<double> m_cosines;        // per patch, the smallest one
+  std::vector<std::size_t> m_triangles; // per patch, one near by
+  Surface_sample m_worst;
+  double m_smallest_cosine = 2; // so that the first sample is the worst
+  std::size_t m_number_of_folds = 0, m_number_of_certified = 0;
+};
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_SPLINE_INTERNAL_FOLD_SEARCH_H
