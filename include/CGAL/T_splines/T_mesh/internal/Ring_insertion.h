@@ -29,9 +29,11 @@ namespace internal {
 
 /// Surrounds extraordinary vertices with three regular rings of faces ([CZ17] section 8.2, condition A, Fig. 15).
 ///
-/// In each sector, the face with a corner at the vertex, a square is cut out and divided into 3 x 3 cells. The first of
-/// the two cuts goes through the whole face: it is the edge extended at the outer corner of the rings. Lengths at a
-/// vertex are measured in its common unit, that of the face of its first halfedge.
+/// In each sector, the face with a corner at the vertex, a square is cut out and divided into 3 x 3 cells, but for the
+/// outermost one, which may be any face. The first of the two cuts goes through the whole face: it is the edge extended
+/// at the outer corner of the rings. Where no other rings are in the way, the line of the second ring beside it does,
+/// too: then there are as many faces, and no support comes from the opposite corner of the sector (condition B).
+/// Lengths at a vertex are measured in its common unit, that of the face of its first halfedge.
 /// \tparam Splits `Counted_splits`
 template <typename Splits>
 class Ring_insertion {
@@ -208,7 +210,7 @@ private:
     }
     for (std::size_t i = 0; i < before.size(); ++i) {
       const FT unit = plan.unit / before[i].unit;
-      divide(cut_out(plan.v, i, unit * FT(3)), unit, direction_of_sector(plan.v, i));
+      insert(plan.v, i, unit);
     }
   }
 
@@ -247,22 +249,27 @@ private:
     return result;
   }
 
-  // Cuts a square off the corner of a sector.
-  face_descriptor cut_out(const vertex_descriptor v, const std::size_t i, const FT& reach)
+  void insert(const vertex_descriptor v, const std::size_t i, const FT& unit)
   {
+    const FT reach = unit * FT(3);
     Sector_plan p = plan_of_sector(v, i, reach);
     const auto is_larger = [&](const FT& size) { return size > reach + tolerance(size); };
     if (is_larger(p.width) && is_larger(p.height)) {
       if (!is_free(p, 0) && !is_free(p, 1) && separate(p))
         p = plan_of_sector(v, i, reach);
       const int first = first_axis(p);
-      m_splits.split(p.f, (p.direction + first) % 4, reach);
+      const face_descriptor strip = m_splits.split(p.f, (p.direction + first) % 4, reach).near;
       p = plan_of_sector(v, i, reach);
+      if (p.f == strip && is_larger(first == 0 ? p.height : p.width) &&
+          p.room[first == 0 ? 3 : 1] <= unit * FT(2) + tolerance(unit)) {
+        divide_strip(p, first, unit);
+        return;
+      }
     }
     for (int axis = 0; axis < 2; ++axis)
       if (is_larger(axis == 0 ? p.width : p.height))
         p.f = m_splits.split(p.f, (p.direction + axis) % 4, reach).near;
-    return p.f;
+    divide(p.f, unit, direction_of_sector(v, i));
   }
 
   // Whether a cut through the whole sector at the distance room[0] along an axis keeps off the other rings.
@@ -313,6 +320,16 @@ private:
       x += knot(h);
     }
     return !is_corner(h) && x <= distance + tolerance(size);
+  }
+
+  // A strip three units wide along an axis, and longer along the other one.
+  void divide_strip(const Sector_plan& p, const int axis, const FT& unit)
+  {
+    const int across = (p.direction + axis) % 4, along = (p.direction + 1 - axis) % 4;
+    const auto parts = m_splits.split(p.f, across, unit * FT(2));
+    for (const face_descriptor row : thirds(m_splits.split(parts.near, along, unit * FT(3)).near, unit, along))
+      m_splits.split(row, across, unit);
+    m_splits.split(m_splits.split(parts.far, along, unit * FT(2)).near, along, unit);
   }
 
   // Divides a square of three units into nine.
