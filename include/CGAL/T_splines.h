@@ -61,6 +61,7 @@
 #include <CGAL/T_splines/Spline/T_spline_closest_point.h>
 #include <CGAL/T_splines/Spline/T_spline_deviation_report.h>
 #include <CGAL/T_splines/Spline/T_spline_fit_report.h>
+#include <CGAL/T_splines/Spline/check_T_spline_self_intersections.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
 #include <CGAL/T_splines/Spline/fit_T_spline.h>
 #include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>

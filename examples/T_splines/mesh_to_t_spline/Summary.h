@@ -6,6 +6,7 @@
 
 #include "Figures.h"
 
+#include <cmath>
 #include <cstddef>
 #include <iomanip>
 #include <map>
@@ -92,6 +93,14 @@ inline std::string percent(const double share, const int digits = 3)
   return text.str();
 }
 
+/// A share in percent with two decimals, rounded down: 100 % only if it is all.
+inline std::string share_in_percent(const double share)
+{
+  std::ostringstream text;
+  text << std::floor(1e4 * share) / 100 << " %";
+  return text.str();
+}
+
 /// The levels of the fit, one line each.
 inline void print_levels(std::ostream& out, const T_spline_figures& spline)
 {
@@ -104,21 +113,48 @@ inline void print_levels(std::ostream& out, const T_spline_figures& spline)
   }
 }
 
+inline void print_one_way(std::ostream& out, const char* name, const Deviation_figures::One_way& way)
+{
+  out << "              " << name << ": rms " << percent(way.error.rms) << ", max " << percent(way.error.maximum)
+      << " (proven: at most " << percent(way.upper_bound) << "); " << share_in_percent(way.share_within_tolerance)
+      << " of the area within the tolerance, " << share_in_percent(way.share_within_half) << " within half of it\n";
+}
+
+/// How far surface and mesh are apart, what is wrong first.
+inline void print_deviation(std::ostream& out, const T_spline_figures& spline, const Deviation_figures& deviation)
+{
+  const Deviation_figures::Place& worst = deviation.worst();
+  out << "  deviation   " << verdict(spline) << ": max " << percent(deviation.maximum()) << " both ways, tolerance "
+      << percent(spline.tolerance) << "\n";
+  print_one_way(out, "surface to mesh", deviation.surface_to_mesh);
+  print_one_way(out, "mesh to surface", deviation.mesh_to_surface);
+  out << std::setprecision(6) << "              worst at (" << worst.point[0] << ", " << worst.point[1] << ", "
+      << worst.point[2] << "): face " << worst.t_mesh_face << " of the T-mesh at (" << worst.u << ", " << worst.v
+      << "), face " << worst.mesh_face << " of the mesh\n";
+  out << "  normals     differ by at most " << std::setprecision(3) << deviation.largest_angle << " degrees; "
+      << deviation.folded_patches << " of " << spline.patches << " Bezier patches with folds, "
+      << deviation.certified_patches << " certified without\n";
+  out << "  self-intersections: " << deviation.self_intersections_beyond_mesh << " where the mesh has none";
+  if (deviation.self_intersections > 0 || deviation.self_intersections_of_mesh > 0)
+    out << " (" << deviation.self_intersections << " in all; the mesh: " << deviation.self_intersections_of_mesh << ")";
+  if (deviation.self_intersections_beyond_mesh > 0)
+    out << std::setprecision(6) << ", one at (" << deviation.self_intersection[0] << ", "
+        << deviation.self_intersection[1] << ", " << deviation.self_intersection[2] << ")";
+  out << "\n";
+}
+
 inline void print_t_spline(std::ostream& out, const T_spline_figures& spline)
 {
   print_levels(out, spline);
-  out << "              " << spline.ending() << " (" << percent(spline.tolerance) << ")\n";
+  out << "              at the samples: " << spline.ending() << " (" << percent(spline.tolerance) << ")\n";
   const T_spline_figures::Level& level = spline.level();
   out << "  T-spline    " << level.control_points << " control points, " << level.control_points_in_rings
       << " of them in the rings around extraordinary vertices; " << spline.t_mesh.faces << " faces, "
       << spline.t_mesh.t_joints << " T-joints\n";
-  if (spline.deviation)
-    out << "  deviation   surface to mesh: rms " << percent(spline.deviation->surface_to_mesh.rms) << ", max "
-        << percent(spline.deviation->surface_to_mesh.maximum) << "; mesh to surface: rms "
-        << percent(spline.deviation->mesh_to_surface.rms) << ", max "
-        << percent(spline.deviation->mesh_to_surface.maximum) << "\n";
   out << "  patches     " << spline.patches << " Bezier patches; caps at extraordinary vertices off by "
       << percent(spline.cap_deviation, 2) << "\n";
+  if (spline.deviation)
+    print_deviation(out, spline, *spline.deviation);
 }
 
 /// The time in all, and that of the stages that take a while.

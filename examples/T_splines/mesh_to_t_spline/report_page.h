@@ -50,7 +50,8 @@ public:
     }
   }
 
-  /// The length of the diagonal before scaling.
+  /// The middle of the bounding box, and the length of its diagonal, before scaling.
+  const std::array<double, 3>& middle() const { return m_middle; }
   double diagonal() const { return m_diagonal; }
 
   /// Appends the coordinates of `point` on the page.
@@ -79,7 +80,7 @@ private:
 inline std::string frame_as_json(const Page_frame& frame)
 {
   CGAL::T_splines::internal::Json_writer json;
-  json.begin_object().member("diagonal", frame.diagonal()).end_object();
+  json.begin_object().array_member("middle", frame.middle()).member("diagonal", frame.diagonal()).end_object();
   return json.text();
 }
 

@@ -8,6 +8,8 @@
 
 #include <CGAL/T_splines/IO/internal/Json_writer.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -19,25 +21,55 @@ struct Relative_error {
   double rms = 0, maximum = 0;
 };
 
+/// How far surface and mesh are apart, as measured after the fit.
+struct Deviation_figures {
+  /// A place of the surface and the face of the mesh next to it, counted from 0.
+  struct Place {
+    std::array<double, 3> point = {};
+    std::size_t t_mesh_face = 0;
+    double u = 0, v = 0;
+    std::size_t mesh_face = 0;
+  };
+  struct One_way {
+    Relative_error error;
+    double upper_bound = 0; ///< proven
+    double share_within_tolerance = 0, share_within_half = 0;
+    Place worst;
+  };
+
+  One_way surface_to_mesh, mesh_to_surface;
+  double largest_angle = 0; ///< between normals, in degrees
+  Place worst_angle;
+  std::size_t folded_patches = 0, certified_patches = 0;
+  std::size_t self_intersections = 0;             ///< pairs of triangles of t_spline.obj
+  std::size_t self_intersections_of_mesh = 0;     ///< pairs of triangles of the mesh
+  std::size_t self_intersections_beyond_mesh = 0; ///< pairs of t_spline.obj where the mesh has none
+  std::array<double, 3> self_intersection = {};   ///< the place of one of them
+
+  double maximum() const { return std::max(surface_to_mesh.error.maximum, mesh_to_surface.error.maximum); }
+  double upper_bound() const { return std::max(surface_to_mesh.upper_bound, mesh_to_surface.upper_bound); }
+  const Place& worst() const
+  {
+    return (surface_to_mesh.error.maximum > mesh_to_surface.error.maximum ? surface_to_mesh : mesh_to_surface).worst;
+  }
+};
+
 /// The T-spline surface, and how it was fitted.
 struct T_spline_figures {
   struct Level {
     std::size_t control_points = 0, faces = 0, control_points_in_rings = 0;
     Relative_error error; ///< at the samples
   };
-  struct Deviation {
-    Relative_error surface_to_mesh, mesh_to_surface;
-  };
 
   T_mesh_figures t_mesh;
   double longest_side = 0; ///< what distances are divided by
   std::size_t samples = 0, faces_before_fit = 0;
-  double tolerance = 0, fairness = 0; ///< the tolerance by the longest side
-  std::string status;                 ///< why the fit ended
-  bool is_within_tolerance = false;
-  std::vector<Level> levels;  ///< from coarse to fine
-  std::size_t best_level = 0; ///< the surface
-  std::optional<Deviation> deviation;
+  double tolerance = 0, fairness = 0;   ///< the tolerance by the longest side
+  std::string status;                   ///< why the fit ended
+  bool fit_is_within_tolerance = false; ///< at the samples
+  std::vector<Level> levels;            ///< from coarse to fine
+  std::size_t best_level = 0;           ///< the surface
+  std::optional<Deviation_figures> deviation;
   std::size_t patches = 0;
   std::map<int, std::size_t> valences; ///< of the extraordinary vertices
   int rings = 0;                       ///< of patches around extraordinary vertices
@@ -45,8 +77,37 @@ struct T_spline_figures {
   std::size_t tessellation_triangles = 0;
 
   const Level& level() const { return levels[best_level]; }
-  std::string ending() const { return is_within_tolerance ? status : "ended beyond the tolerance: " + status; }
+  std::string ending() const { return fit_is_within_tolerance ? status : "ended beyond the tolerance: " + status; }
+
+  /// Whether the surface is what was asked for, as measured: both ways, between the samples, too.
+  bool is_within_tolerance() const { return deviation && deviation->maximum() <= tolerance; }
+  bool is_faultless() const
+  {
+    return is_within_tolerance() && deviation->folded_patches == 0 && deviation->self_intersections_beyond_mesh == 0;
+  }
 };
+
+inline std::string counted(const std::size_t number, const char* one, const char* more)
+{
+  return std::to_string(number) + " " + (number == 1 ? one : more);
+}
+
+/// What is to be said of the surface first: within the tolerance, or what is wrong.
+inline std::string verdict(const T_spline_figures& figures)
+{
+  std::string text = figures.is_within_tolerance() ? "within the tolerance" : "beyond the tolerance";
+  if (!figures.deviation)
+    return text;
+  const char* separator = figures.is_within_tolerance() ? ", but " : ", ";
+  if (figures.deviation->folded_patches > 0) {
+    text += separator + counted(figures.deviation->folded_patches, "patch has a fold", "patches have folds");
+    separator = ", ";
+  }
+  if (figures.deviation->self_intersections_beyond_mesh > 0)
+    text += separator +
+            counted(figures.deviation->self_intersections_beyond_mesh, "self-intersection", "self-intersections");
+  return text;
+}
 
 inline void write_members(CGAL::T_splines::internal::Json_writer& json, const Relative_error& error)
 {
@@ -60,9 +121,47 @@ inline void write_members(CGAL::T_splines::internal::Json_writer& json, const T_
   write_members(json, level.error);
 }
 
+inline void write_place(CGAL::T_splines::internal::Json_writer& json, const char* name,
+                        const Deviation_figures::Place& place)
+{
+  json.key(name).begin_object().array_member("point", place.point).member("t_mesh_face", place.t_mesh_face);
+  json.member("u", place.u).member("v", place.v).member("mesh_face", place.mesh_face).end_object();
+}
+
+inline void write_one_way(CGAL::T_splines::internal::Json_writer& json, const char* name,
+                          const Deviation_figures::One_way& way)
+{
+  json.key(name).begin_object();
+  write_members(json, way.error);
+  json.member("upper_bound", way.upper_bound).member("share_within_tolerance", way.share_within_tolerance);
+  json.member("share_within_half", way.share_within_half);
+  write_place(json, "worst", way.worst);
+  json.end_object();
+}
+
+inline void write_deviation(CGAL::T_splines::internal::Json_writer& json, const Deviation_figures& deviation)
+{
+  json.key("deviation").begin_object();
+  json.member("maximum", deviation.maximum()).member("upper_bound", deviation.upper_bound());
+  write_place(json, "worst", deviation.worst());
+  write_one_way(json, "surface_to_mesh", deviation.surface_to_mesh);
+  write_one_way(json, "mesh_to_surface", deviation.mesh_to_surface);
+  json.member("largest_angle", deviation.largest_angle);
+  write_place(json, "worst_angle", deviation.worst_angle);
+  json.member("folded_patches", deviation.folded_patches).member("certified_patches", deviation.certified_patches);
+  json.member("self_intersections", deviation.self_intersections);
+  json.member("self_intersections_of_mesh", deviation.self_intersections_of_mesh);
+  json.member("self_intersections_beyond_mesh", deviation.self_intersections_beyond_mesh);
+  if (deviation.self_intersections_beyond_mesh > 0)
+    json.array_member("self_intersection", deviation.self_intersection);
+  json.end_object();
+}
+
 inline void write_fit_members(CGAL::T_splines::internal::Json_writer& json, const T_spline_figures& figures)
 {
-  json.member("status", figures.status).member("is_within_tolerance", figures.is_within_tolerance);
+  json.member("verdict", verdict(figures)).member("is_faultless", figures.is_faultless());
+  json.member("is_within_tolerance", figures.is_within_tolerance());
+  json.member("status", figures.status).member("fit_is_within_tolerance", figures.fit_is_within_tolerance);
   json.member("tolerance", figures.tolerance).member("fairness", figures.fairness);
   json.member("longest_side", figures.longest_side).member("samples", figures.samples);
   json.member("faces_before_fit", figures.faces_before_fit);
@@ -75,16 +174,8 @@ inline void write_fit_members(CGAL::T_splines::internal::Json_writer& json, cons
   }
   json.end_array();
   json.member("best_level", figures.best_level);
-  if (figures.deviation) {
-    json.key("deviation").begin_object();
-    json.key("surface_to_mesh").begin_object();
-    write_members(json, figures.deviation->surface_to_mesh);
-    json.end_object();
-    json.key("mesh_to_surface").begin_object();
-    write_members(json, figures.deviation->mesh_to_surface);
-    json.end_object();
-    json.end_object();
-  }
+  if (figures.deviation)
+    write_deviation(json, *figures.deviation);
 }
 
 inline void write_t_spline_figures(CGAL::T_splines::internal::Json_writer& json, const T_spline_figures& figures)

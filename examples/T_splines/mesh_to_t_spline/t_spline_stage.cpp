@@ -7,6 +7,7 @@
 
 #include <CGAL/T_splines/Spline/Mesh_distance.h>
 #include <CGAL/T_splines/Spline/T_spline_surface.h>
+#include <CGAL/T_splines/Spline/check_T_spline_self_intersections.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
 #include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>
 #include <CGAL/T_splines/Spline/measure_T_spline_deviation.h>
@@ -15,11 +16,17 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_sample.h>
 #include <CGAL/T_splines/named_parameters.h>
 
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/iterator.h>
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -66,7 +73,7 @@ void set_fit_figures(const Fit_report& report, T_spline_figures& figures)
 {
   using Status = CGAL::T_splines::Adaptive_fit_status;
   figures.status = message(report.status);
-  figures.is_within_tolerance = report.status == Status::WITHIN_TOLERANCE;
+  figures.fit_is_within_tolerance = report.status == Status::WITHIN_TOLERANCE;
   figures.best_level = report.best_level;
   for (const CGAL::T_splines::T_spline_fit_level& level : report.levels)
     figures.levels.push_back({level.number_of_control_points,
@@ -164,21 +171,71 @@ void set_surface_figures(const T_spline& surface, const Results& results, T_spli
       ++figures.valences[CGAL::T_splines::extended_valence(v, t.mesh, t.corners)];
 }
 
+using Deviation_report = CGAL::T_splines::T_spline_deviation_report<T_mesh, Mesh>;
+
+std::array<double, 3> coordinates_of(const CGAL::Simple_cartesian<double>::Point_3& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
+
+Deviation_figures::Place place_of(const CGAL::T_splines::Deviation_place<T_mesh, Mesh>& place,
+                                  const CGAL::Simple_cartesian<double>::Point_3& point)
+{
+  return {coordinates_of(point), place.place.face, place.place.u, place.place.v, place.mesh_face};
+}
+
+Deviation_figures figures_of(const Deviation_report& report)
+{
+  const auto one_way = [](const CGAL::T_splines::One_way_deviation& way,
+                          const CGAL::T_splines::Deviation_place<T_mesh, Mesh>& place) {
+    return Deviation_figures::One_way{{way.relative_rms(), way.relative_maximum()},
+                                      way.relative_upper_bound(),
+                                      way.share_within_tolerance,
+                                      way.share_within_half,
+                                      place_of(place, way.farthest_point)};
+  };
+  Deviation_figures figures;
+  figures.surface_to_mesh = one_way(report.surface_to_mesh, report.surface_to_mesh_place);
+  figures.mesh_to_surface = one_way(report.mesh_to_surface, report.mesh_to_surface_place);
+  figures.largest_angle = report.normals.largest_angle * 180 / CGAL_PI;
+  figures.worst_angle = place_of(report.normals.place, report.normals.point);
+  figures.folded_patches = report.normals.number_of_folded_patches;
+  figures.certified_patches = report.normals.number_of_certified_patches;
+  return figures;
+}
+
 /// Measures the distances between the surface and the mesh, those of the points of the drawing included.
 Failure measure(const Options& options, const Mesh& mesh, const Compiled_t_spline& surface, Surface_drawing& drawing,
                 T_spline_figures& figures)
 {
-  const auto report = CGAL::T_splines::measure_T_spline_deviation(surface, mesh);
+  namespace P = CGAL::T_splines::parameters;
+  const double tolerance = options.tolerance * figures.longest_side;
+  const Deviation_report report = CGAL::T_splines::measure_T_spline_deviation(surface, mesh, P::tolerance(tolerance));
   if (!report.success())
     return {options.input_file() + ": deviation: " + describe(report, mesh)};
-  const auto relative = [](const CGAL::T_splines::One_way_deviation& deviation) {
-    return Relative_error{deviation.relative_rms(), deviation.relative_maximum()};
-  };
-  figures.deviation = {relative(report.surface_to_mesh), relative(report.mesh_to_surface)};
+  figures.deviation = figures_of(report);
   const CGAL::T_splines::Mesh_distance distance(mesh);
-  for (const Kernel::Point_3& p : drawing.points)
-    drawing.deviation.push_back(distance(p) / figures.longest_side);
+  std::vector<double> distances;
+  distance.distances(drawing.points, std::back_inserter(distances));
+  for (const double x : distances)
+    drawing.deviation.push_back(x / figures.longest_side);
   return {};
+}
+
+/// Looks for intersections of the surface with itself, in the triangles of t_spline.obj.
+void check_self_intersections(const Options& options, const Mesh& mesh, const Compiled_t_spline& surface,
+                              T_spline_figures& figures)
+{
+  namespace P = CGAL::T_splines::parameters;
+  const double tolerance = options.tolerance * figures.longest_side;
+  const auto report = CGAL::T_splines::check_T_spline_self_intersections(
+      surface, mesh, CGAL::Emptyset_iterator(),
+      P::tolerance(tolerance, P::tessellation_resolution(options.resolution)));
+  Deviation_figures& deviation = *figures.deviation;
+  deviation.self_intersections = report.number_of_intersections;
+  deviation.self_intersections_of_mesh = report.number_of_mesh_intersections;
+  deviation.self_intersections_beyond_mesh = report.number_of_new_intersections;
+  deviation.self_intersection = coordinates_of(report.place);
 }
 
 } // namespace
@@ -207,6 +264,10 @@ Failure make_t_spline(const Options& options, Chosen_spd_solver_traits& solver, 
   results.surface_drawing = drawing_of(surface, t, 400000);
   progress.begin_stage("deviation");
   failure = measure(options, mesh, *results.surface, results.surface_drawing, figures);
+  if (failure)
+    return failure;
+  progress.begin_stage("self-intersections");
+  check_self_intersections(options, mesh, *results.surface, figures);
   progress.end_stage();
   set_surface_figures(surface, results, figures);
   return failure;

@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
 
 #include "Spline/Spline_mesh.h"
+#include "Spline/Torus.h"
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -68,32 +69,6 @@ Triangles flat_rectangle(const double z_left, const double z_right)
   mesh.add_face(a, c, d);
   return mesh;
 }
-
-// A round torus, nearly, with radii of about 3 and 1.
-class Torus : public Mesh {
-public:
-  Torus() : Mesh(test_t_meshes::squares<double>(edges()))
-  {
-    for (int i = 0; i < m; ++i)
-      for (int j = 0; j < n; ++j) {
-        const double a = 2 * CGAL_PI * i / m, b = 2 * CGAL_PI * j / n, r = 3 + std::cos(b);
-        set_control(source(halfedge_of(n * i + j, 0), mesh), Point_3(r * std::cos(a), r * std::sin(a), std::sin(b)), 1);
-      }
-  }
-
-private:
-  static constexpr int m = 12, n = 8;
-
-  static std::vector<std::vector<int>> edges()
-  {
-    const auto along = [](const int i, const int j) { return 2 * (n * (i % m) + j % n); };
-    std::vector<std::vector<int>> result;
-    for (int i = 0; i < m; ++i)
-      for (int j = 0; j < n; ++j)
-        result.push_back({along(i, j), along(i + 1, j) + 1, along(i, j + 1), along(i, j) + 1});
-    return result;
-  }
-};
 
 } // namespace
 
@@ -337,7 +312,7 @@ TEST_CASE("random points find no larger distance", "[measure_T_spline_deviation]
     CGAL::T_splines::tessellate_T_spline(surface, 2, mesh);
     const auto report = measure_T_spline_deviation(surface, mesh);
     REQUIRE(report.success());
-    check_against_random_points(report, random_maxima(surface, mesh, 20));
+    check_against_random_points(report, random_maxima(surface, mesh, 8));
     for (const auto& way : {report.mesh_to_surface, report.surface_to_mesh}) {
       CHECK(way.upper_bound >= way.maximum);
       CHECK(std::abs(CGAL::squared_distance(way.farthest_point, way.closest_point) - way.maximum * way.maximum) <

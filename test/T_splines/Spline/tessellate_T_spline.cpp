@@ -51,6 +51,16 @@ TEST_CASE("triangles cover each face once and share the points of its sides", "[
     for (const int n : {2, 5}) {
       INFO(surface.first << ", " << n);
       const auto tessellation = T::tessellate_parameter_domain(spline, n);
+      CHECK(tessellation.faces.size() == tessellation.triangles.size());
+      for (std::size_t i = 0; i < tessellation.triangles.size(); ++i)
+        for (const std::size_t p : tessellation.triangles[i]) {
+          // Points inside of a face belong to it; others may be given in the frame of a neighbour.
+          const auto& place = tessellation.places[p];
+          const bool is_inside = place.u > 0 && place.v > 0 && place.u < spline.width(place.face) * (1 - 1e-9) &&
+                                 place.v < spline.height(place.face) * (1 - 1e-9);
+          if (is_inside && place.face != tessellation.faces[i])
+            FAIL("a triangle has a point inside of another face");
+        }
       std::map<std::pair<std::size_t, std::size_t>, int> count; // of each directed side of a triangle
       for (const auto& triangle : tessellation.triangles)
         for (int i = 0; i < 3; ++i)

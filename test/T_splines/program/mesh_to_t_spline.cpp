@@ -18,6 +18,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <string>
 #include <utility>
@@ -403,15 +404,22 @@ TEST_CASE("the page draws in a browser, where there is one")
       "timeout 100 chromium --headless --no-sandbox --no-first-run --disable-background-networking"
       " --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --virtual-time-budget=3000"
       " --user-data-dir='" +
-      directory.file("profile") + "' --dump-dom 'file://" + output + "/report.html#view=deviation&compare=0.25' >'" +
-      dom + "' 2>/dev/null";
+      directory.file("profile") + "' --dump-dom 'file://" + output +
+      "/report.html#view=deviation&place=worst&compare=0.25' >'" + dom + "' 2>/dev/null";
   if (std::system(browser.c_str()) != 0) {
     WARN("no chromium that runs: the page was not tried");
     return;
   }
   const std::string page = file_content(dom);
   CHECK(contains(page, "<title>cube.obj: T-spline surface</title>"));
-  CHECK(contains(page, "<span class=\"good\">the surface is within the tolerance</span>"));
+  const std::string report = file_content(output + "/report.json");
+  std::smatch verdict;
+  REQUIRE(std::regex_search(report, verdict, std::regex("\"verdict\": \"([^\"]*)\"")));
+  const bool is_faultless = contains(report, "\"is_faultless\": true");
+  CHECK(contains(page, std::string("<span class=\"") + (is_faultless ? "good" : "bad") + "\">the surface is " +
+                           verdict[1].str() + "</span>"));
+  CHECK(contains(page, "<div id=\"place_mark\" aria-hidden=\"true\" style=\"left: 50%; top: 50%;\"></div>"));
+  CHECK(contains(page, "data-place=\"worst\""));
   CHECK(contains(page, "aria-checked=\"true\">Deviation</button>"));
   CHECK(contains(page, "distance from the mesh, by the longest side of its bounding box"));
   CHECK(contains(page, "aria-valuenow=\"25\""));

@@ -69,6 +69,17 @@ class Camera {
     this.rotation = [x, y, [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]];
   }
 
+  // Looks at a point from the side that a normal points to.
+  lookAt(point, normal, distance) {
+    const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    const unit = v => v.map(a => a / Math.hypot(...v));
+    const z = unit(normal), up = [this.home[1], this.home[0]].find(v => Math.hypot(...cross(v, z)) > 0.3);
+    const x = unit(cross(up, z));
+    this.rotation = [x, cross(z, x), z];
+    this.pivot = [...point];
+    this.distance = distance;
+  }
+
   // By fractions of the height of the view.
   move(dx, dy) {
     const size = 2 * this.distance * Math.tan(this.fieldOfView / 2);

@@ -84,7 +84,8 @@ function makeToggles(options, layers, refresh) {
   return () => updates.forEach(update => update());
 }
 
-// Radio buttons for the views, check boxes for what is drawn on top; `changed` is called after each change.
+// Radio buttons for the views, check boxes for what is drawn on top; `changed` is called after each change. Returns what
+// brings all of them up to date after the options were changed elsewhere.
 function makeControls(options, views, layers, changed) {
   const group = document.getElementById("views");
   const buttons = views.map(view => {
@@ -106,13 +107,15 @@ function makeControls(options, views, layers, changed) {
     group.append(element("div", {}, ...(title ? [element("span", {}, title)] : []),
       ...buttons.filter((_, i) => views[i].ofSpline === ofSpline)));
   refresh();
+  return refresh;
 }
 
 // The part after # in the address presets the view, e.g. #view=reflection&edges=1&turn=30,10: `view` is a key of
 // `allViews`, or the number of a view of the map; `t_mesh` is the number of a layer; `turn` (degrees to the right, down)
-// and `zoom` (larger is nearer) move the camera; `compare` is the divider's place, from 0 on the left to 1; every other name is that of an option, with a number or 0 or 1.
+// and `zoom` (larger is nearer) move the camera; `place` goes to a place of
+// the deviation: worst, angle or intersection; `compare` is the divider's place, from 0 on the left to 1; every other name is that of an option, with a number or 0 or 1.
 // Returns whether the camera was moved.
-function presetFromAddress(options, views, camera) {
+function presetFromAddress(options, views, camera, goTo) {
   let isMoved = false;
   for (const [key, value] of new URLSearchParams(location.hash.slice(1)))
     if (key === "view")
@@ -128,6 +131,8 @@ function presetFromAddress(options, views, camera) {
       camera.zoom(1 / Math.max(0.01, +value || 1));
       isMoved = true;
     }
+    else if (key === "place")
+      isMoved = goTo(value) || isMoved;
     else if (key === "compare") {
       options.compared = +value > 0;
       options.compare = dividerPlace(+value || 0.5);

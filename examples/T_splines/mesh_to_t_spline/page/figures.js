@@ -99,13 +99,13 @@ function showVerdict({ input, signature, map, exact_map, t_mesh, t_spline }) {
   }
   const verdict = document.getElementById("verdict");
   if (t_spline) {
-    const { rms, maximum, deviation } = t_spline;
-    const errors = [`${countText(t_spline.levels[t_spline.best_level].control_points)} control points`,
-      `rms ${percentText(rms)}, max ${percentText(maximum)} at the samples`];
+    const { deviation } = t_spline;
+    const errors = [];
     if (deviation)
-      errors.push(`two-sided max ${percentText(Math.max(deviation.surface_to_mesh.maximum, deviation.mesh_to_surface.maximum))}`);
-    errors.push(`genus ${input.genus}`, `${countText(signature.cones.length)} cones`);
-    verdict.append(endingOf(t_spline), ["", ...errors].join("  ·  "));
+      errors.push(`max ${percentText(deviation.maximum)} both ways, tolerance ${percentText(t_spline.tolerance)}`);
+    errors.push(`${countText(t_spline.levels[t_spline.best_level].control_points)} control points`,
+      `genus ${input.genus}`, `${countText(signature.cones.length)} cones`);
+    verdict.append(verdictOf(t_spline), ["", ...errors].join("  ·  "));
     return;
   }
   const status = exact_map ? exact_map.status : map.status;
@@ -217,7 +217,7 @@ function showFigures(report, measure) {
               : report.input.genus > 0 ? "" : "No loops: every closed curve is contractible.";
   showVerdict(report);
   document.getElementById("figures").append(
-    ...(t_spline ? [fitSection(t_spline), splineSection(t_spline)] : []), ...(t_mesh ? [tMeshSection(t_mesh)] : []), conesSection(signature),
+    ...(t_spline ? [...(t_spline.deviation ? [deviationSection(t_spline)] : []), fitSection(t_spline), splineSection(t_spline)] : []), ...(t_mesh ? [tMeshSection(t_mesh)] : []), conesSection(signature),
     ...(map ? [convergenceSection(map)] : []),
     section("Time", stageBars(report.stages), note(`${seconds(report.seconds)} in all${memory}. Memory: the most until the stage's end.`)),
     ...(exact_map ? [exactMapSection(exact_map)] : []), ...(t_mesh ? [tracingSection(t_mesh)] : []),

@@ -81,30 +81,71 @@ function levelTable({ levels, best_level }) {
     element("table", { class: "columns narrow" }, head, element("tbody", {}, ...rows)));
 }
 
-function endingOf(spline) {
-  return spline.is_within_tolerance ? element("span", { class: "good" }, spline.status)
-                                    : element("span", { class: "bad" }, `ended beyond the tolerance: ${spline.status}`);
+// What is to be said of the surface first, as measured.
+function verdictOf(spline) {
+  return element("span", { class: spline.is_faultless ? "good" : "bad" }, `the surface is ${spline.verdict}`);
 }
 
 function fitSection(spline) {
   const key = element("p", { class: "note" }, element("span", { class: "stroke maximum" }), "max",
     element("span", { class: "stroke rms" }), "rms, at the samples", element("span", { class: "stroke goal" }), "tolerance");
-  return section("Fit", element("p", { class: "ending" }, endingOf(spline)), levelPlot(spline), key, levelTable(spline),
-    note(`Errors by the longest side of the bounding box; the surface is level ${spline.best_level}.`),
-    table([["tolerance", percentText(spline.tolerance)], ["fairness", spline.fairness], ["samples", spline.samples],
+  const ending = spline.fit_is_within_tolerance ? spline.status : `ended beyond the tolerance: ${spline.status}`;
+  return section("Fit", levelPlot(spline), key, levelTable(spline),
+    note(`Errors by the longest side of the bounding box; the surface is level ${spline.best_level}. At the samples: ${ending}.`),
+    table([["fairness", spline.fairness], ["samples", spline.samples],
       ["faces of the T-mesh before the fit", spline.faces_before_fit]]));
 }
 
-// How far surface and mesh are apart.
-function distanceTable({ rms, maximum, deviation }) {
-  const head = element("thead", {}, element("tr", {}, ...["distances by the longest side", "rms", "max"]
+function placeText({ t_mesh_face, u, v, mesh_face, point }) {
+  const numbers = values => values.map(x => String(+x.toPrecision(5))).join(", ");
+  return `(${numbers(point)}): face ${t_mesh_face} of the T-mesh at (${numbers([u, v])}), face ${mesh_face} of the mesh`;
+}
+
+// Rounded down: 100 % only if it is all.
+function shareText(x) { return `${Math.floor(1e4 * x) / 100} %`; }
+
+function placeButton(key, name) {
+  return element("button", { type: "button", class: "place", "data-place": key }, name);
+}
+
+// How far surface and mesh are apart, both ways.
+function distanceTable({ surface_to_mesh: toMesh, mesh_to_surface: toSurface }, tolerance) {
+  const head = element("thead", {}, element("tr", {}, ...["", "surface to mesh", "mesh to surface"]
     .map(name => element("th", {}, name))));
-  const row = (name, error) => element("tr", {}, element("th", { scope: "row" }, name),
-    element("td", {}, percentText(error.rms)), element("td", {}, percentText(error.maximum)));
-  const rows = [row("mesh to surface, at the samples", { rms, maximum })];
-  if (deviation)
-    rows.push(row("mesh to surface", deviation.mesh_to_surface), row("surface to mesh", deviation.surface_to_mesh));
+  const row = (name, text) => element("tr", {}, element("th", { scope: "row" }, name),
+    ...[toMesh, toSurface].map(way => element("td", {}, text(way))));
+  const maximum = way => element("span", { class: way.maximum <= tolerance ? "good" : "bad" }, percentText(way.maximum));
+  const rows = [row("max", maximum), row("at most (proven)", way => percentText(way.upper_bound)), row("rms", way => percentText(way.rms)),
+    row("area within tolerance", way => shareText(way.share_within_tolerance)),
+    row("within half of it", way => shareText(way.share_within_half))];
   return element("table", { class: "columns narrow" }, head, element("tbody", {}, ...rows));
+}
+
+// The panel of the measured deviation: what a user would find with a tool of his own.
+function deviationSection(spline) {
+  const { deviation, tolerance } = spline;
+  const judged = (number, text) => element("span", { class: number === 0 ? "good" : "bad" }, text);
+  const turned = `${+deviation.largest_angle.toPrecision(3)}°`;
+  const intersections = deviation.self_intersections_beyond_mesh;
+  return section("Deviation", element("p", { class: "ending" }, verdictOf(spline)), distanceTable(deviation, tolerance),
+    table([["tolerance", percentText(tolerance)],
+      ["folded Bezier patches", judged(deviation.folded_patches, `${countText(deviation.folded_patches)} of ${countText(spline.patches)}`)],
+      ["certified without a fold", countText(deviation.certified_patches)],
+      ["largest angle of normals", judged(deviation.folded_patches, turned)],
+      ["self-intersections", judged(intersections, countText(intersections))],
+      ["of the mesh itself", countText(deviation.self_intersections_of_mesh)],
+      ["control points", spline.levels[spline.best_level].control_points]]),
+    note(`Distances by the longest side of the bounding box, ${shortNumber(spline.longest_side)}. The largest is at ${placeText(deviation.worst)}.`),
+    element("p", { class: "places" }, "Go to: ", placeButton("worst", "worst place"), placeButton("angle", "largest angle"),
+      ...(intersections > 0 ? [placeButton("intersection", "self-intersection")] : [])));
+}
+
+// The places that the page can go to, in the units of the model.
+function knownPlaces(spline) {
+  if (!spline || !spline.deviation)
+    return {};
+  const { worst, worst_angle, self_intersection } = spline.deviation;
+  return { worst: worst.point, angle: worst_angle.point, ...(self_intersection ? { intersection: self_intersection } : {}) };
 }
 
 function splineSection(spline) {
@@ -112,7 +153,7 @@ function splineSection(spline) {
     .map(([valence, count]) => [`of valence ${valence}`, count]);
   const point = element("p", { class: "note" }, element("span", { class: "swatch", style: `background: ${extraordinaryColor}` }),
     "extraordinary points ", element("span", { class: "stroke", style: `background: ${netColor}; margin-left: 10px` }), "control net");
-  return section("T-spline surface", distanceTable(spline), table([
+  return section("T-spline surface", table([
     ["control points", spline.levels[spline.best_level].control_points],
     ["in rings round extraordinary vertices", spline.levels[spline.best_level].control_points_in_rings],
     ["faces", spline.t_mesh.faces], ["T-joints", spline.t_mesh.t_joints],

@@ -97,14 +97,54 @@ function readData() {
   const mesh = readMesh(), spline = readSpline();
   const tMeshes = [["as traced", readTMesh("traced")], ["regularized", readTMesh("regular")]]
     .filter(([name, tMesh]) => tMesh).map(([name, tMesh]) => ({ name, ...tMesh }));
-  const { diagonal } = JSON.parse(document.getElementById("frame").textContent);
-  return { mesh, spline, tMeshes, measure: measureTriangles(mesh), diagonal };
+  const { middle, diagonal } = JSON.parse(document.getElementById("frame").textContent);
+  return { mesh, spline, tMeshes, measure: measureTriangles(mesh), middle, diagonal };
 }
 
 // What the legend tells of the deviation.
 function deviationFacts(spline, { deviation, tolerance }) {
   const largest = spline.deviation.reduce((x, y) => Math.max(x, y), 0);
   return { largest, error: deviation && deviation.surface_to_mesh, tolerance };
+}
+
+// The places that the page can go to, in its frame, each with the normal of the surface next to it.
+function framedPlaces(tSpline, { spline, middle, diagonal }) {
+  const framed = {};
+  for (const [key, place] of Object.entries(spline ? knownPlaces(tSpline) : {})) {
+    const point = place.map((x, d) => 2 * (x - middle[d]) / diagonal), { points, normals } = spline;
+    let nearest = 0, least = Infinity;
+    for (let i = 0; i < points.length; i += 3) {
+      const distance = Math.hypot(points[i] - point[0], points[i + 1] - point[1], points[i + 2] - point[2]);
+      if (distance < least)
+        [nearest, least] = [i, distance];
+    }
+    const normal = [...normals.subarray(nearest, nearest + 3)];
+    framed[key] = { point, normal: normal.some(x => x !== 0) ? normal : [0, 0, 1] };
+  }
+  return framed;
+}
+
+// Goes to a place and marks it; where the mark is on the canvas, `follow()` brings up to date.
+function makePlaceMark(places, options, camera, aspect) {
+  const mark = document.getElementById("place_mark");
+  let current = null;
+  return {
+    go: key => {
+      if (!places[key])
+        return false;
+      current = places[key];
+      camera.lookAt(current.point, current.normal, 0.5);
+      return true;
+    },
+    follow: () => {
+      mark.hidden = !current || !options.view.ofSpline;
+      if (mark.hidden)
+        return;
+      const [x, y] = camera.project(current.point, aspect());
+      mark.style.left = `${50 * (1 + x)}%`;
+      mark.style.top = `${50 * (1 - y)}%`;
+    }
+  };
 }
 
 function showProblem(text) {
@@ -167,17 +207,28 @@ function start() {
                         : new Camera(mesh.positions, 1);
   const aspect = () => canvas.clientWidth / Math.max(1, canvas.clientHeight);
   camera.reset(aspect());
-  let requested = false, touched = presetFromAddress(options, views, camera);
+  const placeMark = makePlaceMark(framedPlaces(report.t_spline, data), options, camera, aspect);
+  let requested = false, touched = presetFromAddress(options, views, camera, placeMark.go);
+  const draw = () => {
+    renderer.draw(camera, options);
+    placeMark.follow();
+  };
   const redraw = () => {
     if (!requested)
-      requestAnimationFrame(() => { requested = false; renderer.draw(camera, options); });
+      requestAnimationFrame(() => { requested = false; draw(); });
     requested = true;
   };
-  makeControls(options, views, tMeshes, () => {
+  const refresh = makeControls(options, views, tMeshes, () => {
     showLegend(options, buffers.scaleRange, ofSpline);
     showDivider(options);
     redraw();
   });
+  for (const button of document.querySelectorAll("button.place"))
+    button.addEventListener("click", () => {
+      options.view = views.find(view => view.key === "deviation");
+      touched = placeMark.go(button.dataset.place) || touched;
+      refresh();
+    });
   listenToDivider(options, redraw);
   listen(canvas, camera, aspect, redraw);
   const marked = () => options.view.ofSpline ? (options.points ? extraordinary : []) : (options.cones ? cones : []);
@@ -195,7 +246,7 @@ function start() {
   new ResizeObserver(() => {
     if (!touched)
       camera.reset(aspect());
-    renderer.draw(camera, options); // at once: until the next frame the old picture would be stretched
+    draw(); // at once: until the next frame the old picture would be stretched
   }).observe(canvas);
 }
 

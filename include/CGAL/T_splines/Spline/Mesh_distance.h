@@ -12,6 +12,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <cstddef>
 #include <memory>
 
 namespace CGAL {
@@ -62,13 +63,19 @@ public:
     return m_tree->distance(internal::point_in_doubles(p));
   }
 
-  /// writes the distances (`double`) of a range of points, such as those where `tessellate_parameter_domain()` leads.
+  /// writes the distances (`double`) of a range of points, such as those where `tessellate_parameter_domain()` leads;
+  /// faster than one by one, if each is near the one before.
   /// \pre as for `closest_point()`
   template <typename PointRange, typename OutputIterator>
   OutputIterator distances(const PointRange& points, OutputIterator out) const
   {
-    for (const auto& p : points)
-      *out++ = (*this)(p);
+    CGAL_precondition_msg(is_valid(), "the mesh is not valid: see status()");
+    std::size_t hint = 0; // as a rule, the next point is near
+    for (const auto& p : points) {
+      const internal::Triangle_tree::Foot foot = m_tree->foot(internal::point_in_doubles(p), hint);
+      hint = foot.triangle;
+      *out++ = foot.distance();
+    }
     return out;
   }
 

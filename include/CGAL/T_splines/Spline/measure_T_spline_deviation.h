@@ -114,11 +114,20 @@ private:
   // Distances that need not be told apart.
   double negligible() const { return 1e-7 * m_extent; }
 
-  // Enough for means, and for all patches of a usual surface.
-  double number_of_samples() const { return (std::max)(100000., 0.5 * static_cast<double>(m_mesh.triangles.size())); }
+  // Enough for means: some per patch and triangle, but not without limit.
+  double number_of_samples() const
+  {
+    const double triangles = static_cast<double>(m_mesh.triangles.size()),
+                 patches = static_cast<double>(m_surface.number_of_patches());
+    return (std::max)(std::clamp(20 * patches + 2 * triangles, 20000., 100000.), 0.5 * triangles);
+  }
 
   // Where distances are almost constant, the search would not end soon.
-  std::size_t number_of_steps() const { return static_cast<std::size_t>(number_of_samples() / 2); }
+  std::size_t number_of_steps() const
+  {
+    constexpr double smallest_number = 40000;
+    return static_cast<std::size_t>((std::max)(number_of_samples() / 2, smallest_number));
+  }
 
   void attribute(const int face, const double distance)
   {

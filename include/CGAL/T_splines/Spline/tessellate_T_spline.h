@@ -14,6 +14,7 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
@@ -26,12 +27,13 @@ namespace CGAL {
 namespace T_splines {
 
 /// A triangulation of the parameter domain of a T-spline surface: places, and triangles of three numbers of places,
-/// seen counter-clockwise.
+/// seen counter-clockwise, with the faces in which they lie.
 /// \tparam TMesh the T-mesh
 template <typename TMesh, typename FT>
 struct T_spline_tessellation {
   std::vector<T_mesh_place<TMesh, FT>> places;
   std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<typename boost::graph_traits<TMesh>::face_descriptor> faces; ///< of the T-mesh, per triangle
 };
 
 /// triangulates the parameter domain of a T-spline surface without cracks: triangles on both sides of an edge share its
@@ -52,6 +54,9 @@ T_spline_tessellation<typename Surface::TMesh, typename Surface::FT> tessellate_
   for (const auto& place : faces.places())
     result.places.push_back({surface.indexing().face(place.face), place.u, place.v});
   result.triangles = faces.triangles();
+  result.faces.reserve(faces.faces().size());
+  for (const int f : faces.faces())
+    result.faces.push_back(surface.indexing().face(f));
   return result;
 }
 

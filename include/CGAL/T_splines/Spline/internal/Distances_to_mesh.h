@@ -129,7 +129,7 @@ private:
   {
     constexpr double smallest_number = 3;
     const auto parts = [&](const int axis, const double share) {
-      return static_cast<int>((std::max)(std::ceil(share * m_surface.size(i)[axis] / size), smallest_number));
+      return static_cast<int>((std::max)(std::round(share * m_surface.size(i)[axis] / size), smallest_number));
     };
     const int corner = m_surface.domain(i).cap_corner;
     if (corner < 0) {

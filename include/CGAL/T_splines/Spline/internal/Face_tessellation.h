@@ -40,14 +40,19 @@ public:
   {
     add_vertices();
     add_edges();
-    for (int f = 0; f < t_mesh.number_of_faces(); ++f)
+    for (int f = 0; f < t_mesh.number_of_faces(); ++f) {
       add_face(f);
+      m_faces.resize(m_triangles.size(), f);
+    }
     if (has_tip())
       remove_tips();
   }
 
   const std::vector<Place>& places() const { return m_places; }
   const std::vector<std::array<Index, 3>>& triangles() const { return m_triangles; }
+
+  /// The face in which each triangle lies.
+  const std::vector<int>& faces() const { return m_faces; }
 
 private:
   // A point of a strip: where it is along the side, in n-ths of the side.
@@ -73,8 +78,16 @@ private:
     for (int h = 0; h < m_t_mesh.number_of_halfedges(); ++h)
       if (!m_t_mesh.is_border(h) && is_after_tip(h))
         is_tip[m_vertex[m_t_mesh.source(h)]] = true;
-    const auto has_tip = [&](const std::array<Index, 3>& t) { return is_tip[t[0]] || is_tip[t[1]] || is_tip[t[2]]; };
-    m_triangles.erase(std::remove_if(m_triangles.begin(), m_triangles.end(), has_tip), m_triangles.end());
+    Index kept = 0;
+    for (Index i = 0; i < m_triangles.size(); ++i) {
+      const std::array<Index, 3> t = m_triangles[i];
+      if (is_tip[t[0]] || is_tip[t[1]] || is_tip[t[2]])
+        continue;
+      m_triangles[kept] = t;
+      m_faces[kept++] = m_faces[i];
+    }
+    m_triangles.resize(kept);
+    m_faces.resize(kept);
     std::vector<Index> number(m_places.size());
     Index next = 0;
     for (Index i = 0; i < m_places.size(); ++i) {
@@ -206,6 +219,7 @@ private:
   int m_n;
   std::vector<Place> m_places;
   std::vector<std::array<Index, 3>> m_triangles;
+  std::vector<int> m_faces;             // per triangle
   std::vector<Index> m_vertex, m_first; // per vertex, per edge
   std::vector<int> m_parts;             // per edge
   std::vector<Strip_point> m_outer, m_inner;

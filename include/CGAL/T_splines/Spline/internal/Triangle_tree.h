@@ -29,6 +29,28 @@ inline Triangle_set::Point_3 closest_of_segment(const Triangle_set::Point_3& p, 
 /// own projection divides by zero if the triangle has no area.
 inline Triangle_set::Point_3 closest_of_triangle(const Triangle_set::Point_3& p, const Triangle_set::Triangle_3& t)
 {
+  const auto normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
+  const double squared_normal = normal.squared_length(), squared_side = (t[1] - t[0]).squared_length();
+  constexpr double thin = 1e-6;
+  // A foot in the plane tells which sides are closest, if the normal is accurate.
+  const bool is_thin = !(squared_normal > thin * squared_side * (t[2] - t[0]).squared_length()) ||
+                       !(squared_normal > thin * squared_side * (t[2] - t[1]).squared_length());
+  if (!is_thin) {
+    const Triangle_set::Point_3 foot = p - (((p - t[0]) * normal) / squared_normal) * normal;
+    Triangle_set::Point_3 best = foot;
+    double distance = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i) {
+      if (CGAL::cross_product(t[i + 1] - t[i], foot - t[i]) * normal > 0)
+        continue;
+      const Triangle_set::Point_3 q = closest_of_segment(p, t[i], t[i + 1]);
+      const double d = CGAL::squared_distance(p, q);
+      if (d < distance) {
+        best = q;
+        distance = d;
+      }
+    }
+    return best;
+  }
   Triangle_set::Point_3 best = closest_of_segment(p, t[0], t[1]);
   double distance = CGAL::squared_distance(p, best);
   for (int i = 1; i < 3; ++i) {
@@ -39,8 +61,6 @@ inline Triangle_set::Point_3 closest_of_triangle(const Triangle_set::Point_3& p,
       distance = d;
     }
   }
-  const auto normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
-  const double squared_normal = normal.squared_length();
   if (!(squared_normal > 0))
     return best;
   // The normal of a thin triangle is not accurate, and the less it matters the shorter the vector that is projected.
