@@ -73,6 +73,9 @@ inline void print_exact_map(std::ostream& out, const Exact_map_figures& exact)
     out << "all scale factors are 1\n";
   else
     out << "scale factors of " << exact.scale_bits << " bits\n";
+  if (exact.joined_lines + exact.lines_left_apart > 0)
+    out << "              " << exact.joined_lines << " isolines from cone to cone joined exactly, "
+        << exact.lines_left_apart << " not\n";
 }
 
 inline void print_tracing(std::ostream& out, const Tracing_figures& tracing)

@@ -17,6 +17,8 @@ struct Exact_map_figures {
   int cut_edges = 0, branches = 0, cones = 0, determined_corners = 0, scale_bits = 0;
   bool is_isometric = true;
   double deviation = 0, largest_displacement = 0;
+  int joined_lines = 0, lines_left_apart = 0; ///< isolines that connect cones up to round-off: made exact, or not
+  double largest_gap = 0;
 };
 
 /// The motorcycles.
@@ -45,6 +47,8 @@ inline void write_exact_map_figures(CGAL::T_splines::internal::Json_writer& json
   json.member("largest_displacement", figures.largest_displacement);
   json.member("cut_edges", figures.cut_edges).member("branches", figures.branches).member("cones", figures.cones);
   json.member("determined_corners", figures.determined_corners);
+  json.member("joined_lines", figures.joined_lines).member("lines_left_apart", figures.lines_left_apart);
+  json.member("largest_gap", figures.largest_gap);
   json.member("is_isometric", figures.is_isometric).member("scale_bits", figures.scale_bits);
   json.end_object();
 }

@@ -75,6 +75,9 @@ std::string compute_exact_map(const Refined_map& refined, Exact_map& map, Exact_
   figures.is_isometric = report.is_isometric;
   figures.deviation = report.deviation;
   figures.largest_displacement = report.largest_displacement;
+  figures.joined_lines = report.number_of_joined_lines;
+  figures.lines_left_apart = report.number_of_lines_left_apart;
+  figures.largest_gap = report.largest_gap;
   return {};
 }
 

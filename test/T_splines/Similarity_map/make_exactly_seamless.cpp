@@ -122,6 +122,39 @@ Chart_map cube_map(const int n)
   return chart_maps::planes_as_charts(test_meshes::cube(n), n);
 }
 
+/// A plate with two bumps, one of them moved sideways by `offset`; `n` units of uv are one of space, and an integer.
+/// With slivers, each triangle at the foot of a bump has a vertex right beside the bump's corner.
+Chart_map bumps(const double offset, const int n, const bool has_slivers)
+{
+  std::set<std::array<int, 3>> cubes = {{{1, 1, 1}}, {{5, 1, 1}}};
+  for (int x = 0; x < 7; ++x)
+    for (int y = 0; y < 3; ++y)
+      cubes.insert({{x, y, 0}});
+  Plain_mesh mesh = test_meshes::voxel_surface(cubes, 1);
+  std::vector<char> is_foot;
+  for (auto& p : mesh.points) {
+    const bool is_moved = p[0] >= 5 && p[0] <= 6 && p[1] >= 1 && p[1] <= 2 && p[2] >= 1;
+    is_foot.push_back(p[2] == 1 && p[1] >= 1 && p[1] <= 2 && (p[0] == 1 || p[0] == 2 || is_moved));
+    p[1] += is_moved ? offset : 0;
+  }
+  const std::size_t number_of_triangles = has_slivers ? mesh.triangles.size() : 0;
+  for (std::size_t t = 0; t < number_of_triangles; ++t)
+    for (int i = 0; i < 3; ++i) {
+      const int a = mesh.triangles[t][i], b = mesh.triangles[t][(i + 1) % 3], c = mesh.triangles[t][(i + 2) % 3];
+      if (a >= static_cast<int>(is_foot.size()) || !is_foot[a] || mesh.points[b][2] != 1 || mesh.points[c][2] != 1)
+        continue;
+      std::array<double, 3> p = mesh.points[a];
+      for (int axis = 0; axis < 3; ++axis)
+        p[axis] += (mesh.points[b][axis] + mesh.points[c][axis] - 2 * p[axis]) / n;
+      const int w = static_cast<int>(mesh.points.size());
+      mesh.points.push_back(p);
+      mesh.triangles[t] = {{a, b, w}};
+      mesh.triangles.insert(mesh.triangles.end(), {{{b, c, w}}, {{c, a, w}}});
+      break;
+    }
+  return chart_maps::planes_as_charts(mesh, n);
+}
+
 const auto no_hole = [](int, int) { return false; };
 const auto plane = [](const int i, const int j) { return std::array<double, 2>{{double(i), double(j)}}; };
 
@@ -391,6 +424,43 @@ TEST_CASE("borders become straight", "[make_exactly_seamless]")
   check_exact(made, 1. / 64);
   CHECK(made.report.number_of_cones == cones);
   CHECK(Made<Surface_mesh, double>(map).report.success());
+}
+
+TEST_CASE("isolines that miss a cone by little are made to run into it, unless triangles are in the way",
+          "[make_exactly_seamless]")
+{
+  const int n = 1 << 22;
+  const auto np = T::parameters::transition_tolerance(1e-9); // the offset is no noise
+  const Made<Surface_mesh> ideal(bumps(0, n, false), np);
+  check_exact(ideal, 0);
+  const int lines = ideal.report.number_of_joined_lines;
+  CHECK(lines > 24); // the edges of the plate and of the bumps, and what lies between these
+  SECTION("a millionth of a triangle")
+  {
+    const Made<Surface_mesh> made(bumps(std::ldexp(1., -18), n, false), np);
+    check_exact(made, 1e-5);
+    CHECK(made.report.number_of_joined_lines == lines);
+    CHECK(made.report.number_of_lines_left_apart == 0);
+    CHECK(made.report.largest_gap > 1e-6);
+    CHECK(made.report.largest_gap < T::internal::coincidence_tolerance);
+    CHECK(made.report.largest_displacement > 1e-7);
+  }
+  SECTION("a thousandth of a triangle is no coincidence")
+  {
+    const Made<Surface_mesh> made(bumps(std::ldexp(1., -10), n, false), np);
+    check_exact(made, 0);
+    CHECK(made.report.largest_displacement == 0);
+    CHECK(made.report.number_of_lines_left_apart == 0);
+  }
+  SECTION("triangles in the way")
+  {
+    CHECK(Made<Surface_mesh>(bumps(0, n, true), np).report.number_of_joined_lines == lines);
+    const Made<Surface_mesh> made(bumps(std::ldexp(1., -18), n, true), np);
+    check_exact(made, 0);
+    CHECK(made.report.number_of_joined_lines + made.report.number_of_lines_left_apart == lines);
+    CHECK(made.report.number_of_lines_left_apart > 0);
+    CHECK(made.report.largest_gap == 0);
+  }
 }
 
 TEST_CASE("oblique borders are refused", "[make_exactly_seamless]")

@@ -3,19 +3,33 @@
 
 // Each map and graph is judged by `Seamless_map_checker` and `T_mesh_checker`, in exact arithmetic.
 
+#include "Similarity_map/chart_maps.h"
+#include "Similarity_map/test_meshes.h"
 #include "T_mesh/Traced_map.h"
 
+#include <CGAL/T_splines/Cross_field/compute_smooth_cross_field.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
+#include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
+#include <CGAL/T_splines/IO/read_triangle_mesh.h>
 #include <CGAL/T_splines/Similarity_map/compute_seamless_similarity_map.h>
 
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/Random.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <ostream>
+#include <set>
+#include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 using namespace hand_made_maps;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -320,6 +334,238 @@ TEMPLATE_TEST_CASE("Knots in doubles are those of the exact graph, rounded", "[t
     const T_mesh_check check = T_mesh_checker(rounded.exact_map(), r, 1e-12).check();
     INFO(check.text());
     CHECK(check.success());
+  }
+}
+
+// --- isolines that connect cones up to round-off
+
+// What a T-mesh is made of, whatever the numbering.
+struct Shape {
+  std::size_t vertices, edges, faces, t_joints;
+
+  explicit Shape(const Traced& traced)
+    : vertices(num_vertices(traced.t_mesh)),
+      edges(num_edges(traced.t_mesh)),
+      faces(num_faces(traced.t_mesh)),
+      t_joints(traced.report.t_joints)
+  {
+  }
+  friend bool operator==(const Shape& a, const Shape& b)
+  {
+    return std::tie(a.vertices, a.edges, a.faces, a.t_joints) == std::tie(b.vertices, b.edges, b.faces, b.t_joints);
+  }
+  friend std::ostream& operator<<(std::ostream& out, const Shape& s)
+  {
+    return out << s.vertices << " vertices, " << s.edges << " edges, " << s.faces << " faces, " << s.t_joints
+               << " T-joints";
+  }
+};
+
+// By how much knots are off multiples of the shortest one.
+static double distance_from_grid(const Exact_t_mesh& t_mesh)
+{
+  const double shortest = CGAL::to_double(*std::min_element(t_mesh.knot.begin(), t_mesh.knot.end()));
+  double result = 0;
+  for (const Exact& knot : t_mesh.knot) {
+    const double n = CGAL::to_double(knot) / shortest;
+    result = std::max(result, std::abs(n - std::round(n)));
+  }
+  return result;
+}
+
+static int number_of_knots_that_are_no_doubles(const Exact_t_mesh& t_mesh)
+{
+  return static_cast<int>(std::count_if(t_mesh.knot.begin(), t_mesh.knot.end(),
+                                        [](const Exact& knot) { return Exact(CGAL::to_double(knot)) != knot; }));
+}
+
+// The cones of the surfaces below lie at distances of one or more units. Where more than two motorcycles come to a
+// place at the same time, the surface may be divided in several ways.
+static void check_like(const Traced& traced, const Traced& ideal, const bool is_unique)
+{
+  INFO(traced.message_text());
+  REQUIRE(traced.success());
+  CHECK(traced.map_report.number_of_joined_lines == ideal.map_report.number_of_joined_lines);
+  CHECK(traced.map_report.number_of_lines_left_apart == 0);
+  if (is_unique)
+    CHECK(Shape(traced) == Shape(ideal));
+  if (traced.map_report.is_isometric)
+    CHECK(distance_from_grid(traced.exact_t_mesh()) < 1e-4);
+  const Whole_check check = check_all(traced, 0.125);
+  INFO(check.text());
+  CHECK(check.success());
+}
+
+// A rotation of space that no round-off is used to.
+static Plain_mesh rotated(Plain_mesh mesh, CGAL::Random& random)
+{
+  for (const std::array<int, 2>& axes : {std::array<int, 2>{{0, 1}}, {{1, 2}}, {{2, 0}}, {{0, 1}}}) {
+    const double angle = random.get_double(0, 6), c = std::cos(angle), s = std::sin(angle);
+    for (auto& p : mesh.points) {
+      const double x = p[axes[0]], y = p[axes[1]];
+      p[axes[0]] = c * x - s * y;
+      p[axes[1]] = s * x + c * y;
+    }
+  }
+  return mesh;
+}
+
+static Plain_mesh mirrored(Plain_mesh mesh)
+{
+  for (auto& p : mesh.points)
+    p[0] = -p[0];
+  for (auto& t : mesh.triangles)
+    std::swap(t[0], t[1]);
+  return mesh;
+}
+
+// The seamless map with given cones, in doubles.
+static void compute_map(const Surface_mesh& mesh, const std::vector<std::pair<Surface_mesh::Vertex_index, int>>& cones,
+                        Surface_mesh& refined,
+                        Surface_mesh::Property_map<Surface_mesh::Halfedge_index, Kernel::Point_2>& uv)
+{
+  namespace T = CGAL::T_splines;
+  T::Holonomy_signature<Surface_mesh> signature;
+  REQUIRE(T::holonomy_signature_of_cones(mesh, cones, signature).success());
+  uv = refined.add_property_map<Surface_mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  REQUIRE(T::compute_seamless_similarity_map(mesh, signature, refined, uv).success());
+}
+
+// Turns a map so that an edge of the mesh runs along an axis.
+template <typename HalfedgeUVMap>
+static void turn_along(const Surface_mesh& mesh, const Surface_mesh::Vertex_index from,
+                       const Surface_mesh::Vertex_index to, HalfedgeUVMap uv)
+{
+  for (const auto h : mesh.halfedges()) {
+    if (mesh.source(h) != from || mesh.target(h) != to)
+      continue;
+    const Kernel::Vector_2 d = uv[h] - uv[mesh.prev(h)], e = d / std::sqrt(d.squared_length());
+    for (const auto each : mesh.halfedges())
+      uv[each] = {e.x() * uv[each].x() + e.y() * uv[each].y(), e.x() * uv[each].y() - e.y() * uv[each].x()};
+    return;
+  }
+  FAIL("the refined mesh lacks the edge");
+}
+
+static const std::vector<std::set<std::array<int, 3>>>& polycubes()
+{
+  static const std::vector<std::set<std::array<int, 3>>> result = {
+      {{{0, 0, 0}}},
+      {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{1, 1, 0}}, {{0, 2, 0}}, {{1, 2, 0}}}, // a box
+      {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 2, 0}}},                           // a prism over an L
+      {{{0, 0, 0}}, {{1, 0, 0}}, {{-1, 0, 0}}, {{0, 1, 0}}, {{0, -1, 0}}, {{0, 0, 1}}, {{0, 0, -1}}}, // a cross
+      {{{0, 0, 0}}, {{1, 0, 0}}, {{2, 0, 0}}, {{0, 1, 0}}, {{2, 1, 0}}, {{0, 2, 0}}, {{1, 2, 0}}, {{2, 2, 0}}}};
+  return result;
+}
+
+// All cones are joined, by lines that do not cross.
+static bool has_one_t_mesh(const std::set<std::array<int, 3>>& cubes)
+{
+  return cubes.size() != 4 && cubes.size() != 8;
+}
+
+TEST_CASE("Computed maps of polycubes, turned and mirrored, are traced like the ideal ones", "[trace]")
+{
+  CGAL::Random random(1);
+  for (const auto& cubes : polycubes())
+    for (const int n : {2, 3, 5}) {
+      const Plain_mesh plain = test_meshes::voxel_surface(cubes, n);
+      const Traced ideal(chart_maps::planes_as_charts(plain, n));
+      REQUIRE(ideal.success());
+      CHECK(ideal.map_report.number_of_joined_lines > 0);
+      std::vector<std::pair<Surface_mesh::Vertex_index, int>> cones;
+      for (const auto v : ideal.mesh.vertices())
+        if (ideal.map.quarter_turns(v) != 4)
+          cones.emplace_back(v, ideal.map.quarter_turns(v));
+      const Plain_mesh turned = rotated(plain, random);
+      for (const bool is_mirrored : {false, true}) {
+        Surface_mesh refined;
+        Surface_mesh::Property_map<Surface_mesh::Halfedge_index, Kernel::Point_2> uv;
+        compute_map(test_meshes::face_graph<Surface_mesh>(is_mirrored ? mirrored(turned) : turned), cones, refined, uv);
+        turn_along(refined, Surface_mesh::Vertex_index(plain.triangles.front()[0]),
+                   Surface_mesh::Vertex_index(plain.triangles.front()[1]), uv);
+        const Traced traced(refined, uv);
+        INFO(cubes.size() << " cubes, " << n << " squares, " << (is_mirrored ? "mirrored" : "not mirrored"));
+        check_like(traced, ideal, has_one_t_mesh(cubes));
+        CHECK(traced.map_report.is_isometric);
+        CHECK(traced.map_report.number_of_determined_corners == 0);
+        CHECK(number_of_knots_that_are_no_doubles(traced.exact_t_mesh()) == 0);
+      }
+    }
+}
+
+TEST_CASE("Given maps with noise, or with charts on scales of their own, are traced like the ideal ones", "[trace]")
+{
+  CGAL::Random random(2);
+  for (const auto& cubes : polycubes())
+    for (const int n : {1, 3, 4}) {
+      const chart_maps::Chart_map map = chart_maps::planes_as_charts(test_meshes::voxel_surface(cubes, n), n);
+      const Traced ideal(map);
+      for (const double noise : {0., 1e-13, 1e-10, 1e-7})
+        for (const bool is_scaled : {false, true}) {
+          if (is_scaled && (noise > 1e-13 || cubes.size() == 8)) // scales around the hole would have to cancel
+            continue;
+          chart_maps::Chart_map noisy = map;
+          noisy.transform_all([](const double x, const double y) { return std::array<double, 2>{{x / 7, y / 7}}; });
+          chart_maps::change_frames(noisy, is_scaled, random);
+          chart_maps::add_noise(noisy, noise, random);
+          const Traced traced(noisy);
+          INFO(cubes.size() << " cubes, " << n << " squares, noise " << noise
+                            << (is_scaled ? ", scaled" : ", not scaled"));
+          check_like(traced, ideal, has_one_t_mesh(cubes));
+          CHECK(traced.map_report.largest_gap <= 1000 * noise + 1e-8);
+        }
+    }
+}
+
+TEST_CASE("Corners of the border on one isoline up to noise are joined", "[trace]")
+{
+  CGAL::Random random(3);
+  const auto is_hole = [](const int i, const int j) { return j == 1 && (i == 2 || i == 6); };
+  const auto plane = [](const int i, const int j) { return std::array<double, 2>{{i / 7., j / 7.}}; };
+  for (const double noise : {0., 1e-13, 1e-9}) {
+    chart_maps::Chart_map map = chart_maps::grid(9, 3, false, is_hole, plane);
+    chart_maps::add_noise(map, noise, random);
+    const Traced traced(map);
+    INFO("noise " << noise << ", " << traced.message_text());
+    REQUIRE(traced.success());
+    CHECK(traced.map_report.number_of_joined_lines == 2); // between the holes
+    CHECK(traced.map_report.number_of_lines_left_apart == 0);
+    CHECK(distance_from_grid(traced.exact_t_mesh()) < 1e-6);
+    require_counts(check_all(traced), 24, 38, 13, 0); // five columns, without the holes
+  }
+}
+
+TEST_CASE("Without scale factors, knots of real meshes are doubles, short enough to be added up", "[trace]")
+{
+  namespace T = CGAL::T_splines;
+  const std::string name = GENERATE("bones.off", "cow.off", "cube-meshed.off", "bear_bis.off", "man.off", "star.off");
+  INFO(name);
+  Surface_mesh mesh, refined;
+  REQUIRE(T::read_triangle_mesh(std::string(T_SPLINES_DEMO_DATA) + "/meshes/" + name, mesh).success());
+  const auto field = mesh.add_property_map<Surface_mesh::Face_index, Kernel::Vector_3>("f:cross").first;
+  REQUIRE(T::compute_smooth_cross_field(mesh, field).success());
+  T::Holonomy_signature<Surface_mesh> signature;
+  REQUIRE(T::holonomy_signature_of_cross_field(mesh, field, signature).success());
+  const auto uv = refined.add_property_map<Surface_mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  REQUIRE(T::compute_seamless_similarity_map(mesh, signature, refined, uv).success());
+  const Traced traced(refined, uv);
+  REQUIRE(traced.success());
+  CHECK(traced.map_report.is_isometric);
+  CHECK(traced.map_report.number_of_determined_corners == 0);
+  CHECK(traced.report.predicates.exact_calls < traced.report.predicates.calls / 100);
+  const Exact_t_mesh t_mesh = traced.exact_t_mesh();
+  CHECK(number_of_knots_that_are_no_doubles(t_mesh) == 0);
+  for (int f = 0; f < t_mesh.number_of_faces(); ++f) {
+    Exact sum = 0;
+    double sum_of_doubles = 0;
+    int h = t_mesh.halfedge_of_face[f];
+    do {
+      sum += t_mesh.knot[h] / 2;
+      sum_of_doubles += CGAL::to_double(t_mesh.knot[h]) / 2;
+      h = t_mesh.next[h];
+    } while (h != t_mesh.halfedge_of_face[f]);
+    CHECK(sum == Exact(sum_of_doubles));
   }
 }
 

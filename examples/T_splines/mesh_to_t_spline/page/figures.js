@@ -178,6 +178,7 @@ function exactMapSection(exact) {
   return section("Exact map", table([
     ["cut edges", exact.cut_edges], ["branches of the cut", exact.branches], ["cones", exact.cones],
     ["scale factors", scales], ["corners that are no doubles", exact.determined_corners],
+    ["isolines joined", exact.joined_lines], ["isolines left apart", exact.lines_left_apart],
     ["largest displacement / side", exact.largest_displacement], ["deviation of the input", exact.deviation]]));
 }
 

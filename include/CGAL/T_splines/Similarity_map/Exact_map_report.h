@@ -75,6 +75,11 @@ struct Exact_map_report {
   int scale_bits = 0;                   ///< precision of the free scale factors that are not 1; 0 if there is none
   double largest_displacement = 0;      ///< of a corner, by the longest side of its triangle
 
+  int number_of_joined_lines = 0;     ///< isolines that connect two cones, or corners of the border, exactly
+  int number_of_lines_left_apart = 0; ///< those that do so up to round-off only: scale factors, or triangles that would
+                                      ///< turn over, do not allow more
+  double largest_gap = 0; ///< from a joined line to its cone before, by the longest side of the triangle there
+
   bool success() const { return status == Exact_map_status::EXACT; }
 };
 

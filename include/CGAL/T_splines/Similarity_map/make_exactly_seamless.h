@@ -50,6 +50,9 @@ Exact_map_report<TriangleMesh> exact_map_report(const Mesh_indexing<TriangleMesh
   report.is_isometric = figures.is_isometric;
   report.scale_bits = figures.scale_bits;
   report.largest_displacement = figures.largest_displacement;
+  report.number_of_joined_lines = figures.number_of_joined_lines;
+  report.number_of_lines_left_apart = figures.number_of_lines_left_apart;
+  report.largest_gap = figures.largest_gap;
   if (!report.success())
     return report;
   const Triangulation_connectivity& mesh = layout.mesh();
@@ -76,6 +79,11 @@ Exact_map_report<TriangleMesh> exact_map_report(const Mesh_indexing<TriangleMesh
 /// rounded to as few bits as keep all triangles positively oriented with no more than half or double their area; those
 /// that are 1 up to round-off become 1. The translations follow from equations around the nodes of the cut. The
 /// coordinates on one side of each seam are kept; those on the other, and those of cones, follow from the transitions.
+///
+/// Where the isoline of a cone passes another cone, or a corner of the border, at a distance of no more than
+/// `internal::coincidence_tolerance` times the longest side of the triangle there, or what noise explains, both are
+/// moved such that it runs into it exactly. If all scale factors are 1, all coordinates become doubles and those of
+/// seams and cones short ones, so that knots of the traced T-mesh are doubles.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam HalfedgeUVMap a model of `ReadablePropertyMap`, halfedge -> `Point_2`: finite coordinates of the target of
 ///   the halfedge in the chart of its face; read on inner halfedges only

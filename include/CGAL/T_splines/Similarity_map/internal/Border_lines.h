@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Similarity_map/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>
+#include <CGAL/T_splines/Similarity_map/internal/Isoline_search.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
@@ -95,36 +96,64 @@ public:
   /// The axis along which the first edge of a loop has one coordinate: its border edge behind the first vertex.
   int first_axis(const std::size_t loop) const { return axis(first_halfedge(m_loops[loop].front())); }
 
+  /// The lines between corners, as coincidences: two vertices that are not regular, one after the other, of a loop with
+  /// a corner lie on one line.
+  std::vector<Isoline_coincidence> sides(const std::vector<int>& quarter_turns) const
+  {
+    std::vector<Isoline_coincidence> result;
+    for (std::size_t l = 0; l < m_loops.size(); ++l) {
+      if (!has_corner(l, quarter_turns))
+        continue;
+      const std::vector<int>& loop = m_loops[l];
+      for (std::size_t begin = 0; begin < loop.size(); ++begin) {
+        if (quarter_turns[loop[begin]] == 2)
+          continue;
+        const int i = loop[begin], last = m_sectors.first_sector[i] + m_sectors.number_of_sectors(i) - 1;
+        Isoline_coincidence side{m_mesh.previous(m_sectors.halfedge[last]), Triangulation_connectivity::null, 0, {}, 0};
+        std::size_t k = (begin + 1) % loop.size();
+        side.axis = axis(first_halfedge(loop[k]));
+        for (; quarter_turns[loop[k]] == 2; k = (k + 1) % loop.size())
+          for (int j = 1; j < m_sectors.number_of_sectors(loop[k]); ++j)
+            side.crossed.push_back(m_sectors.halfedge[m_sectors.first_sector[loop[k]] + j] ^ 1);
+        side.end = m_mesh.previous(first_halfedge(loop[k]));
+        result.push_back(std::move(side));
+      }
+    }
+    return result;
+  }
+
   /// Computes coordinates of border vertices that lie exactly on their lines.
   /// \param transition function object: halfedge -> transition from the chart of its face to that of its opposite's
+  /// \param coordinate function object: corner, axis -> coordinate, a double
   /// \param quarter_turns, kept per cut vertex: its angle, and the sector whose chart is meant
-  /// \param start per cut vertex; written on the border only
+  /// \param start per cut vertex. Given are those of loops with corners that are not regular, in their last sectors;
+  ///   the others on the border are written
   /// \return a loop without corners whose line the transitions around it do not map to itself, or -1
-  template <typename FT, typename Transition_of>
-  int compute(const Transition_of& transition, const std::vector<int>& quarter_turns, const std::vector<int>& kept,
-              std::vector<std::pair<FT, FT>>& start) const
+  template <typename FT, typename Transition_of, typename Coordinate>
+  int compute(const Transition_of& transition, const Coordinate& coordinate, const std::vector<int>& quarter_turns,
+              const std::vector<int>& kept, std::vector<std::pair<FT, FT>>& start) const
   {
     int open_loop = -1;
-    for (const std::vector<int>& loop : m_loops) {
-      const auto corner =
-          std::find_if(loop.begin(), loop.end(), [&](const int i) { return quarter_turns[i] % 2 != 0; });
-      const std::size_t n = loop.size(), first = corner == loop.end() ? 0 : corner - loop.begin();
-      std::vector<Line<FT>> line(n, Line<FT>{0, FT(0)}); // per vertex: of the edge behind it, in its first sector
-      for (std::size_t begin = 0, end; begin < n; begin = end) {
-        for (end = begin + 1; end < n && quarter_turns[loop[(first + end) % n]] % 2 == 0;)
-          ++end;
-        // The line runs from the vertex `begin` to the vertex `end`.
-        Line<FT> current = first_line<FT>(transition, loop, first + begin, end - begin, corner == loop.end());
-        for (std::size_t k = begin; k < end; ++k) {
-          line[(first + k + 1) % n] = current;
-          if (k + 1 < end)
-            current = carried(transition, loop[(first + k + 1) % n], current);
+    for (std::size_t l = 0; l < m_loops.size(); ++l) {
+      const std::vector<int>& loop = m_loops[l];
+      const bool is_closed = !has_corner(l, quarter_turns);
+      std::size_t first = 0;
+      while (!is_closed && quarter_turns[loop[first]] == 2)
+        ++first;
+      Line<FT> line = is_closed ? closed_line<FT>(transition, coordinate, loop) : Line<FT>{0, FT(0)};
+      const Line<FT> first_line = line;
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        const int i = loop[(first + k + (is_closed ? 1 : 0)) % loop.size()];
+        if (!is_closed && quarter_turns[i] != 2) {
+          line.axis = axis(first_halfedge(loop[(first + k + 1) % loop.size()]));
+          line.value = line.axis == 0 ? start[i].first : start[i].second;
+          continue;
         }
+        place(transition, coordinate, i, kept[i], line, start);
+        line = carried(transition, i, line);
       }
-      for (std::size_t k = 0; k < n; ++k)
-        place(transition, loop[k], quarter_turns[loop[k]], kept[loop[k]], line[k], line[(k + 1) % n], start);
-      if (corner == loop.end() && carried(transition, loop[0], line[0]).value != line[1 % n].value)
-        open_loop = static_cast<int>(&loop - m_loops.data());
+      if (is_closed && line.value != first_line.value)
+        open_loop = static_cast<int>(l);
     }
     return open_loop;
   }
@@ -153,53 +182,44 @@ private:
     return carried(transition, i, line, m_sectors.number_of_sectors(i) - 1);
   }
 
-  // The line on the edge from the vertex `begin` of a loop to the next, in the chart of the edge: the mean of its ends
-  // up to the first cut; or what the transitions around the loop map to itself.
-  template <typename FT, typename Transition_of>
-  Line<FT> first_line(const Transition_of& transition, const std::vector<int>& loop, const std::size_t begin,
-                      const std::size_t length, const bool is_closed) const
+  // The line on the edge from the first vertex of a loop without corners to the next, in the chart of the edge: the mean
+  // of its ends up to the first cut; or what the transitions around the loop map to itself.
+  template <typename FT, typename Transition_of, typename Coordinate>
+  Line<FT> closed_line(const Transition_of& transition, const Coordinate& coordinate,
+                       const std::vector<int>& loop) const
   {
     const std::size_t n = loop.size();
-    const Index h = first_halfedge(loop[(begin + 1) % n]);
-    const int line_axis = axis(h);
-    if (is_closed) {
-      Line<FT> zero{line_axis, FT(0)}, one{line_axis, FT(1)};
-      for (std::size_t k = 0; k < n; ++k) {
-        zero = carried(transition, loop[(begin + k + 1) % n], zero);
-        one = carried(transition, loop[(begin + k + 1) % n], one);
-      }
-      const FT factor(one.value - zero.value);
-      if (factor != FT(1))
-        return {line_axis, FT(zero.value / (FT(1) - factor))};
+    const int line_axis = axis(first_halfedge(loop[1 % n]));
+    Line<FT> zero{line_axis, FT(0)}, one{line_axis, FT(1)};
+    for (std::size_t k = 0; k < n; ++k) {
+      zero = carried(transition, loop[(k + 1) % n], zero);
+      one = carried(transition, loop[(k + 1) % n], one);
     }
-    double low = m_uv[h][line_axis], high = low;
-    for (std::size_t k = 0; k < length; ++k) {
-      const Index edge = first_halfedge(loop[(begin + k + 1) % n]);
+    const FT factor(one.value - zero.value);
+    if (factor != FT(1))
+      return {line_axis, FT(zero.value / (FT(1) - factor))};
+    double low = coordinate(first_halfedge(loop[1 % n]), line_axis), high = low;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Index edge = first_halfedge(loop[(k + 1) % n]);
       for (const Index corner : {edge, m_mesh.previous(edge)}) {
-        low = std::min(low, m_uv[corner][line_axis]);
-        high = std::max(high, m_uv[corner][line_axis]);
+        low = std::min(low, coordinate(corner, line_axis));
+        high = std::max(high, coordinate(corner, line_axis));
       }
-      if (m_sectors.number_of_sectors(loop[(begin + k + 1) % n]) > 1)
+      if (m_sectors.number_of_sectors(loop[(k + 1) % n]) > 1)
         break;
     }
     return {line_axis, FT(low + (high - low) / 2)};
   }
 
-  // Places a vertex on the line behind it and, at a corner, on the line before it.
-  template <typename FT, typename Transition_of>
-  void place(const Transition_of& transition, const int i, const int quarter_turns, const int kept,
-             const Line<FT>& behind, Line<FT> before, std::vector<std::pair<FT, FT>>& start) const
+  // Places a vertex on the line behind it.
+  template <typename FT, typename Transition_of, typename Coordinate>
+  void place(const Transition_of& transition, const Coordinate& coordinate, const int i, const int kept,
+             const Line<FT>& behind, std::vector<std::pair<FT, FT>>& start) const
   {
-    const int first = m_sectors.first_sector[i];
-    const Index corner = m_mesh.previous(m_sectors.halfedge[first + kept]);
-    std::array<FT, 2> point = {{FT(m_uv[corner][0]), FT(m_uv[corner][1])}};
+    const Index corner = m_mesh.previous(m_sectors.halfedge[m_sectors.first_sector[i] + kept]);
+    std::array<FT, 2> point = {{FT(coordinate(corner, 0)), FT(coordinate(corner, 1))}};
     const Line<FT> here = carried(transition, i, behind, kept);
     point[here.axis] = here.value;
-    if (quarter_turns % 2 != 0) {
-      for (int k = m_sectors.number_of_sectors(i) - 1; k > kept; --k)
-        before = before.mapped(transition(m_sectors.halfedge[first + k]));
-      point[before.axis] = before.value;
-    }
     start[i] = {point[0], point[1]};
   }
 

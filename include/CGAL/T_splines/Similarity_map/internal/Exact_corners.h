@@ -4,10 +4,10 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_EXACT_CORNERS_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_EXACT_CORNERS_H
 
-#include <CGAL/T_splines/Similarity_map/internal/Border_lines.h>
-#include <CGAL/T_splines/Similarity_map/internal/Branch_fit.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>
+#include <CGAL/T_splines/Similarity_map/internal/Cut_map.h>
 #include <CGAL/T_splines/Similarity_map/internal/Exact_transitions.h>
+#include <CGAL/T_splines/Similarity_map/internal/Free_points.h>
 #include <CGAL/T_splines/Similarity_map/internal/Seamless_layout.h>
 #include <CGAL/T_splines/Similarity_map/internal/Sector_values.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -28,37 +29,51 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// A map up to round-off, its cut and what was read off from it: what the exact coordinates are computed from.
-struct Cut_map {
-  const Triangulation_connectivity& mesh;
-  const Uv_array& uv;
-  const std::vector<char>& is_cut; ///< per edge
-  const Cut_sectors& sectors;
-  const Border_lines& border;
-  const Cut_graph& graph;
-  const std::vector<Branch_fit>& fits;   ///< per branch
-  const std::vector<int>& quarter_turns; ///< per cut vertex
-
-  /// Calls `visit(h)` for the halfedges that point to the `i`-th cut vertex inside its `k`-th sector.
-  template <typename Visit>
-  void for_each_corner(const int i, const int k, const Visit& visit) const
-  {
-    Cut_sectors::for_each_corner(mesh, is_cut, sectors.halfedge[sectors.first_sector[i] + k], visit);
-  }
-};
-
 /// The coordinates of the vertices on the cut and on the border, computed from exact transitions.
 class Exact_corners {
   using Index = Triangulation_connectivity::Index;
 
 public:
-  explicit Exact_corners(const Cut_map& map) : m_map(map)
+  /// \param others vertices that are to be free points, too: halfedges that point to them, and their quarter turns
+  Exact_corners(const Cut_map& map, const std::vector<std::pair<Index, int>>& others) : m_map(map)
   {
     for (int i = 0; i < map.sectors.number_of_vertices(); ++i) {
       const bool is_fixed = !map.sectors.is_on_border[i] && map.quarter_turns[i] % 4 != 0;
       m_kept.push_back(is_fixed ? fixed_point : sector_to_keep(i));
+      if (!map.sectors.is_on_border[i] && map.quarter_turns[i] % 4 == 0 && map.quarter_turns[i] != 4)
+        m_points.add(map, i, m_kept[i]);
+    }
+    for (std::size_t loop = 0; loop < map.border.loops().size(); ++loop)
+      if (map.border.has_corner(loop, map.quarter_turns))
+        for (const int i : map.border.loops()[loop])
+          if (map.quarter_turns[i] != 2) {
+            m_kept[i] = map.sectors.number_of_sectors(i) - 1;
+            m_points.add(map, i, m_kept[i]);
+          }
+    for (const auto& [corner, quarter_turns] : others) {
+      const int i = map.entry_of_vertex(map.mesh.target(corner));
+      if (i == Cut_map::none)
+        m_points.add_off_cut(map, corner, quarter_turns);
+      else
+        m_points.add(map, i, m_kept[i]);
     }
     collect_faces();
+  }
+
+  const Free_points& points() const { return m_points; }
+
+  /// The smallest height of their faces, in the plane.
+  double smallest_height() const
+  {
+    double result = std::numeric_limits<double>::infinity();
+    for (const int f : m_faces) {
+      const Index h = m_map.mesh.halfedge_of_face(f), j = m_map.mesh.next(h), k = m_map.mesh.next(j);
+      const double longest =
+          std::max({squared_distance(m_map.uv[h], m_map.uv[j]), squared_distance(m_map.uv[j], m_map.uv[k]),
+                    squared_distance(m_map.uv[k], m_map.uv[h])});
+      result = std::min(result, double_area(m_map.uv, h) / std::sqrt(longest));
+    }
+    return result;
   }
 
   /// The faces whose corners may change.
@@ -76,16 +91,26 @@ public:
     if (m_trial.empty())
       m_trial = m_map.uv;
     compute<double>(
+        transitions,
         [&](const Index h) -> const Similarity_2<double>& {
           return (m_map.graph.is_along(h) ? along : against)[m_map.graph.branch_of_edge(h >> 1)];
         },
         [&](const int i, const int k, const std::pair<double, double>& value) {
           m_map.for_each_corner(i, k, [&](const Index h) { m_trial[h] = {{value.first, value.second}}; });
         });
+    for_each_point_off_cut([&](const int i, const Index h) {
+      m_trial[h] = {{transitions.point(i).first, transitions.point(i).second}};
+    });
+    return is_harmless(m_trial);
+  }
+
+  /// The same for coordinates. \param uv per halfedge
+  bool is_harmless(const Uv_array& uv) const
+  {
     return std::all_of(m_faces.begin(), m_faces.end(), [&](const int f) {
       const Index h = m_map.mesh.halfedge_of_face(f);
-      const double before = double_area(m_map.uv, h), after = double_area(m_trial, h);
-      return after >= before / 2 && after <= before * 2 && displacement(f, m_trial) <= 0.125;
+      const double before = double_area(m_map.uv, h), after = double_area(uv, h);
+      return after >= before / 2 && after <= before * 2 && displacement(f, uv) <= 0.125;
     });
   }
 
@@ -101,8 +126,13 @@ public:
         layout.set_branch(m_map.graph.halfedge(b, i), b);
     }
     const int open_loop = compute<FT>(
-        [&layout](const Index h) -> const Similarity_2<FT>& { return layout.transition(h); },
-        [&](const int i, const int k, const std::pair<FT, FT>& value) { write_sector(i, k, value, layout); });
+        transitions, [&layout](const Index h) -> const Similarity_2<FT>& { return layout.transition(h); },
+        [&](const int i, const int k, const std::pair<FT, FT>& value) {
+          const Corner<FT> corner(value, layout);
+          m_map.for_each_corner(i, k, [&](const Index h) { corner.write(h, layout); });
+        });
+    for_each_point_off_cut(
+        [&](const int i, const Index h) { Corner<FT>(transitions.point(i), layout).write(h, layout); });
     return CGAL::Algebraic_structure_traits<FT>::Is_exact::value ? open_loop : -1;
   }
 
@@ -123,10 +153,10 @@ public:
     Index h = m_map.mesh.halfedge_of_face(f);
     double moved = 0, side = 0;
     for (int k = 0; k < 3; ++k, h = m_map.mesh.next(h)) {
-      moved = std::max(moved, distance(m_map.uv[h], uv[h]));
-      side = std::max(side, distance(m_map.uv[h], m_map.uv[m_map.mesh.next(h)]));
+      moved = std::max(moved, squared_distance(m_map.uv[h], uv[h]));
+      side = std::max(side, squared_distance(m_map.uv[h], m_map.uv[m_map.mesh.next(h)]));
     }
-    return moved / side;
+    return std::sqrt(moved / side);
   }
 
 private:
@@ -163,6 +193,11 @@ private:
             m_faces.push_back(f);
           is_listed[f] = 1;
         });
+    for_each_point_off_cut([&](int, const Index h) {
+      if (is_listed[m_map.mesh.face(h)] == 0)
+        m_faces.push_back(m_map.mesh.face(h));
+      is_listed[m_map.mesh.face(h)] = 1;
+    });
     std::sort(m_faces.begin(), m_faces.end());
   }
 
@@ -178,23 +213,39 @@ private:
            distance(m_map.uv[m_map.mesh.next(corner)], m_map.uv[m_map.mesh.previous(corner)]);
   }
 
+  // Calls `visit(i, h)` for the halfedges that point to the i-th free point, if that is off the cut.
+  template <typename Visit>
+  void for_each_point_off_cut(const Visit& visit) const
+  {
+    for (int i = 0; i < m_points.size(); ++i) {
+      if (m_points[i].entry != Free_points::none)
+        continue;
+      Index h = m_points[i].corner;
+      do {
+        visit(i, h);
+        h = m_map.mesh.next(h) ^ 1;
+      } while (h != m_points[i].corner);
+    }
+  }
+
   // Calls `write(i, k, value)` for the sectors of all cut vertices.
   template <typename FT, typename Transition_of, typename Write>
-  int compute(const Transition_of& transition, const Write& write) const
+  int compute(const Exact_transitions<FT>& transitions, const Transition_of& transition, const Write& write) const
   {
     const Cut_sectors& sectors = m_map.sectors;
-    std::vector<std::pair<FT, FT>> border_start;
-    int open_loop = -1;
-    if (!m_map.border.loops().empty()) {
-      border_start.resize(sectors.number_of_vertices());
-      open_loop = m_map.border.compute(transition, m_map.quarter_turns, m_kept, border_start);
-    }
-    std::vector<std::pair<FT, FT>> values;
+    const auto coordinate = [&](const Index h, const int axis) { return transitions.on_grid(m_map.uv[h][axis]); };
+    std::vector<std::pair<FT, FT>> start(sectors.number_of_vertices()); // in the sector that is kept
     for (int i = 0; i < sectors.number_of_vertices(); ++i) {
       const Index h = m_map.mesh.previous(sectors.halfedge[sectors.first_sector[i] + std::max(m_kept[i], 0)]);
-      const std::pair<FT, FT> start =
-          sectors.is_on_border[i] ? border_start[i] : std::pair<FT, FT>(FT(m_map.uv[h][0]), FT(m_map.uv[h][1]));
-      const bool is_closed = compute_sector_values(sectors, i, transition, m_kept[i], start, values);
+      start[i] = {FT(coordinate(h, 0)), FT(coordinate(h, 1))};
+    }
+    for (int i = 0; i < m_points.size(); ++i)
+      if (m_points[i].entry != Free_points::none)
+        start[m_points[i].entry] = transitions.point(i);
+    const int open_loop = m_map.border.compute(transition, coordinate, m_map.quarter_turns, m_kept, start);
+    std::vector<std::pair<FT, FT>> values;
+    for (int i = 0; i < sectors.number_of_vertices(); ++i) {
+      const bool is_closed = compute_sector_values(sectors, i, transition, m_kept[i], start[i], values);
       CGAL_assertion(is_closed || !CGAL::Algebraic_structure_traits<FT>::Is_exact::value);
       CGAL_USE(is_closed);
       for (int k = 0; k < sectors.number_of_sectors(i); ++k)
@@ -203,22 +254,32 @@ private:
     return open_loop;
   }
 
-  // Coordinates that are doubles are stored as such.
+  // The coordinates of corners; if they are doubles, they are stored as such.
   template <typename FT>
-  void write_sector(const int i, const int k, const std::pair<FT, FT>& value, Seamless_layout<FT>& layout) const
-  {
-    const std::array<double, 2> rounded = {{CGAL::to_double(value.first), CGAL::to_double(value.second)}};
-    const bool is_double = FT(rounded[0]) == value.first && FT(rounded[1]) == value.second;
-    const int determined = is_double ? -1 : layout.add_determined(value.first, value.second);
-    m_map.for_each_corner(i, k, [&](const Index h) {
-      if (is_double)
-        layout.set_uv(h, rounded);
+  class Corner {
+  public:
+    Corner(const std::pair<FT, FT>& value, Seamless_layout<FT>& layout)
+      : m_rounded{{CGAL::to_double(value.first), CGAL::to_double(value.second)}}
+    {
+      if (FT(m_rounded[0]) != value.first || FT(m_rounded[1]) != value.second)
+        m_determined = layout.add_determined(value.first, value.second);
+    }
+
+    void write(const Index h, Seamless_layout<FT>& layout) const
+    {
+      if (m_determined == -1)
+        layout.set_uv(h, m_rounded);
       else
-        layout.set_determined(h, determined);
-    });
-  }
+        layout.set_determined(h, m_determined);
+    }
+
+  private:
+    std::array<double, 2> m_rounded;
+    int m_determined = -1;
+  };
 
   const Cut_map& m_map;
+  Free_points m_points;
   std::vector<int> m_kept;  // per cut vertex, a sector or `fixed_point`
   std::vector<int> m_faces; // sorted
   Uv_array m_trial;         // per halfedge

@@ -19,6 +19,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -37,6 +40,8 @@ struct Exact_map_figures {
   int scale_bits = 0;
   bool is_isometric = true;
   double largest_displacement = 0;
+  int number_of_joined_lines = 0, number_of_lines_left_apart = 0;
+  double largest_gap = 0;
 };
 
 /// Makes a map that is seamless up to round-off exactly seamless: the steps of `make_exactly_seamless()`, by index.
@@ -71,11 +76,19 @@ public:
     std::vector<Branch_fit> fits;
     if (!fit_branches(graph, fits))
       return false;
-    const Cut_map map{m_mesh, m_uv, seams.cut_edges(), sectors, border, graph, fits, quarter_turns};
+    const Cut_map map{m_mesh, m_uv, seams.cut_edges(), sectors, border, graph, fits, quarter_turns, m_size};
     const std::vector<double> uncertainty = scale_uncertainty(fits);
     const std::vector<Cut_node_kind> kinds = kinds_of_nodes(map, uncertainty);
-    return check_scale_products(map, kinds) && check_closing(map, kinds, uncertainty) &&
-           make_exact(map, kinds, uncertainty) && check_quarter_turns(sectors, quarter_turns);
+    if (!check_scale_products(map, kinds))
+      return false;
+    m_layout = Seamless_layout<FT>(m_mesh, m_uv);
+    std::vector<int> counted = counted_quarter_turns();
+    Exact_corners corners(map, cones_off_cut(map, counted));
+    Exact_transitions<double> trial(map, corners.points(), kinds, uncertainty);
+    Exact_transitions<FT> transitions(map, corners.points(), kinds, uncertainty);
+    m_figures.is_isometric = trial.is_isometric();
+    return check_closing(map, trial) && make_exact(map, corners, trial, transitions) &&
+           check_quarter_turns(map, corners, counted);
   }
 
   const Exact_map_figures& figures() const { return m_figures; }
@@ -93,9 +106,13 @@ private:
 
   bool check_coordinates()
   {
-    for (Index h = 0; h < m_mesh.number_of_halfedges(); ++h)
-      if (m_mesh.face(h) != m_mesh.null && !(std::isfinite(m_uv[h][0]) && std::isfinite(m_uv[h][1])))
+    for (Index h = 0; h < m_mesh.number_of_halfedges(); ++h) {
+      if (m_mesh.face(h) == m_mesh.null)
+        continue;
+      if (!(std::isfinite(m_uv[h][0]) && std::isfinite(m_uv[h][1])))
         return fail(Exact_map_status::NON_FINITE_UV, none, h, 0);
+      m_size = std::max(m_size, largest_coordinate(m_uv[h]));
+    }
     return true;
   }
 
@@ -239,11 +256,55 @@ private:
     return true;
   }
 
-  // With the scale factors of the map itself, the transitions that close around the nodes must still fit.
-  bool check_closing(const Cut_map& map, const std::vector<Cut_node_kind>& kinds,
-                     const std::vector<double>& uncertainty)
+  // The angles of all vertices in the map as it is given: exact off the cut and the border.
+  std::vector<int> counted_quarter_turns() const
   {
-    Exact_transitions<double> transitions(map.graph, map.fits, kinds, uncertainty);
+    std::vector<int> result(m_mesh.number_of_vertices(), 0);
+    for (int f = 0; f < m_mesh.number_of_faces(); ++f)
+      add_quarter_turns(
+          m_mesh, f, [this](const Index h) { return given_octant(h); }, 1, result);
+    return result;
+  }
+
+  int given_octant(const Index h) const { return uv_octant(m_uv[m_mesh.previous(h)], m_uv[h]); }
+
+  // Halfedges that point to cones off the cut and, on surfaces with neither cones nor border, to the vertex that the
+  // tracer starts from: their first one.
+  std::vector<std::pair<Index, int>> cones_off_cut(const Cut_map& map, const std::vector<int>& counted) const
+  {
+    std::vector<int> root(m_mesh.number_of_vertices());
+    std::iota(root.begin(), root.end(), 0);
+    const auto root_of = [&root](int v) {
+      while (root[v] != v)
+        v = root[v] = root[root[v]];
+      return v;
+    };
+    for (Index h = 0; h < m_mesh.number_of_halfedges(); h += 2) {
+      const int a = root_of(m_mesh.target(h)), b = root_of(m_mesh.source(h));
+      root[std::max(a, b)] = std::min(a, b);
+    }
+    const std::vector<Index> outgoing = m_mesh.outgoing_halfedges();
+    std::vector<char> has_start(m_mesh.number_of_vertices(), 0);
+    std::vector<std::pair<Index, int>> result;
+    int next_entry = 0;
+    for (Index v = 0; v < m_mesh.number_of_vertices(); ++v) {
+      const bool is_cut = next_entry < map.sectors.number_of_vertices() && map.sectors.vertices[next_entry] == v;
+      const int i = is_cut ? next_entry++ : Cut_map::none;
+      if (i == Cut_map::none ? counted[v] == 4 : !map.sectors.is_on_border[i] && map.quarter_turns[i] == 4)
+        continue;
+      has_start[root_of(v)] = 1;
+      if (i == Cut_map::none)
+        result.emplace_back(m_mesh.previous(outgoing[v]), counted[v]);
+    }
+    for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
+      if (root[v] == v && has_start[v] == 0 && outgoing[v] != m_mesh.null)
+        result.emplace_back(m_mesh.previous(outgoing[v]), 4);
+    return result;
+  }
+
+  // With the scale factors of the map itself, the transitions that close around the nodes must still fit.
+  bool check_closing(const Cut_map& map, Exact_transitions<double>& transitions)
+  {
     transitions.compute(53);
     for (int b = 0; b < map.graph.number_of_branches(); ++b) {
       const Similarity_2<double> t = transitions.transition(b);
@@ -254,21 +315,113 @@ private:
     return true;
   }
 
-  // Scale factors get more bits until no triangle changes much.
-  bool make_exact(const Cut_map& map, const std::vector<Cut_node_kind>& kinds, const std::vector<double>& uncertainty)
+  // Isolines that connect cones but for round-off. \param transitions of the map itself
+  std::vector<Isoline_coincidence> find_lines(const Cut_map& map, const Free_points& points,
+                                              const Exact_transitions<double>& transitions) const
   {
-    Exact_corners corners(map);
-    Exact_transitions<double> trial(map.graph, map.fits, kinds, uncertainty);
-    Exact_transitions<FT> transitions(map.graph, map.fits, kinds, uncertainty);
-    m_figures.is_isometric = transitions.is_isometric();
-    m_layout = Seamless_layout<FT>(m_mesh, m_uv);
+    std::vector<Similarity_2<double>> along, against;
+    for (int b = 0; b < map.graph.number_of_branches(); ++b) {
+      along.push_back(transitions.transition(b));
+      against.push_back(along.back().inverse());
+    }
+    const auto transition = [&](const Index h) -> const Similarity_2<double>& {
+      return (map.graph.is_along(h) ? along : against)[map.graph.branch_of_edge(h >> 1)];
+    };
+    using Search = Isoline_search<decltype(transition)>;
+    std::vector<typename Search::Cone> cones;
+    int number_of_rays = 0;
+    const auto add = [&](const Index outgoing, const int k, const bool is_on_border) {
+      cones.push_back({outgoing, k, is_on_border});
+      number_of_rays += k;
+    };
+    for (int i = 0; i < map.sectors.number_of_vertices(); ++i)
+      if (!map.sectors.is_on_border[i] && map.quarter_turns[i] % 4 != 0)
+        add(map.sectors.halfedge[map.sectors.first_sector[i]], map.quarter_turns[i], false);
+    for (int p = 0; p < points.size(); ++p) {
+      const int i = points[p].entry;
+      if (i == Free_points::none)
+        add(m_mesh.next(points[p].corner), points[p].quarter_turns, false);
+      else
+        add(map.sectors.halfedge[map.sectors.first_sector[i]], map.quarter_turns[i], map.sectors.is_on_border[i] != 0);
+    }
+    const int longest = 64 + m_mesh.number_of_faces() / std::max(2 * number_of_rays, 1);
+    return Search(m_mesh, m_uv, map.is_cut, transition, cones, m_figures.deviation).run(longest);
+  }
+
+  // The number of bits by which coordinates on the cut, in multiples of a power of two, are far below the heights of
+  // triangles, but not more than doubles hold.
+  int bits_of_grid(const Cut_map& map, const Exact_corners& corners) const
+  {
+    constexpr int below_heights = 16, least = 34, most = 50;
+    const double bits = std::ceil(std::log2(map.size / corners.smallest_height())) + below_heights;
+    return static_cast<int>(std::clamp<double>(bits, least, most));
+  }
+
+  bool make_exact(const Cut_map& map, Exact_corners& corners, Exact_transitions<double>& trial,
+                  Exact_transitions<FT>& transitions)
+  {
+    const std::vector<Isoline_coincidence> sides = map.border.sides(map.quarter_turns),
+                                           found = find_lines(map, corners.points(), trial);
+    std::vector<Isoline_coincidence> chosen;
+    // If triangles are in the way, only round-off is removed, or nothing.
+    for (const double largest_gap : {1., 1e-9, -1.}) {
+      chosen = sides;
+      for (const Isoline_coincidence& line : found)
+        if (line.gap <= largest_gap)
+          chosen.push_back(line);
+      keep_independent_lines(trial, sides.size(), chosen);
+      trial.set_lines(chosen);
+      transitions.set_lines(chosen);
+      const bool has_to_do = chosen.size() == sides.size();
+      if (choose_bits(map, corners, trial, transitions, has_to_do) || has_to_do)
+        break;
+    }
+    for (const int f : corners.faces())
+      m_figures.largest_displacement =
+          std::max(m_figures.largest_displacement, corners.displacement(f, m_layout.coordinates()));
+    if (m_figures.status != Exact_map_status::EXACT)
+      return false;
+    if (!m_figures.faces.empty())
+      return fail(Exact_map_status::ORIENTATION_LOST, none, none, 0);
+    const std::vector<char> is_exact = transitions.lines_that_hold(found);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      ++(is_exact[i] != 0 ? m_figures.number_of_joined_lines : m_figures.number_of_lines_left_apart);
+      if (is_exact[i] != 0)
+        m_figures.largest_gap = std::max(m_figures.largest_gap, found[i].gap);
+    }
+    return true;
+  }
+
+  static void keep_independent_lines(Exact_transitions<double>& trial, const std::size_t number_of_sides,
+                                     std::vector<Isoline_coincidence>& lines)
+  {
+    const std::vector<char> is_independent = trial.independent_lines(lines, number_of_sides);
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (is_independent[i] != 0 && n++ != i)
+        lines[n - 1] = std::move(lines[i]);
+    lines.resize(n);
+  }
+
+  // Scale factors, or the grid, get more bits until no triangle changes much.
+  // \param has_to_do whether in the end, a change is accepted that turns no triangle over
+  // \return whether there is a map
+  bool choose_bits(const Cut_map& map, Exact_corners& corners, Exact_transitions<double>& trial,
+                   Exact_transitions<FT>& transitions, const bool has_to_do)
+  {
     constexpr int first = 8, step = 4, last = 53;
-    for (int bits = m_figures.is_isometric ? last : first;; bits = std::min(bits + step, last)) {
+    const bool is_any_accepted = has_to_do || m_figures.is_isometric; // with all bits
+    m_figures.status = Exact_map_status::EXACT;
+    for (int bits = m_figures.is_isometric ? bits_of_grid(map, corners) : first;; bits = std::min(bits + step, last)) {
+      const bool is_last = bits == last;
       m_figures.scale_bits = m_figures.is_isometric ? 0 : bits;
-      if (bits < last) {
+      if (!(is_last && is_any_accepted)) {
         trial.compute(bits);
-        if (!corners.is_harmless(trial))
+        if (!corners.is_harmless(trial)) {
+          if (is_last)
+            return false;
           continue;
+        }
       }
       transitions.compute(bits);
       const int open_loop = corners.write(transitions, m_layout);
@@ -276,24 +429,27 @@ private:
         return fail(Exact_map_status::BORDER_NOT_CLOSED, map.sectors.vertices[map.border.loops()[open_loop].front()],
                     none, 0);
       m_figures.faces = corners.lost_faces(m_layout);
-      if (m_figures.faces.empty() || bits == last)
-        break;
+      if (m_figures.faces.empty() && ((is_last && is_any_accepted) || corners.is_harmless(m_layout.coordinates())))
+        return true;
+      if (is_last)
+        return false;
     }
-    for (const int f : corners.faces())
-      m_figures.largest_displacement =
-          std::max(m_figures.largest_displacement, corners.displacement(f, m_layout.coordinates()));
-    return m_figures.faces.empty() || fail(Exact_map_status::ORIENTATION_LOST, none, none, 0);
   }
 
   // The exact count must be what the angles were taken for. With round-off, edges may be off the axes: angles count.
-  bool check_quarter_turns(const Cut_sectors& sectors, const std::vector<int>& quarter_turns)
+  bool check_quarter_turns(const Cut_map& map, const Exact_corners& corners, std::vector<int>& counted)
   {
-    std::vector<int> counted = count_quarter_turns(m_layout);
-    for (int i = 0; i < sectors.number_of_vertices(); ++i) {
-      const Index v = sectors.vertices[i];
-      if (is_exact_number_type<FT> && counted[v] != quarter_turns[i])
+    for (const int f : corners.faces()) {
+      add_quarter_turns(
+          m_mesh, f, [this](const Index h) { return given_octant(h); }, -1, counted);
+      add_quarter_turns(
+          m_mesh, f, [this](const Index h) { return uv_octant(m_layout, h); }, 1, counted);
+    }
+    for (int i = 0; i < map.sectors.number_of_vertices(); ++i) {
+      const Index v = map.sectors.vertices[i];
+      if (is_exact_number_type<FT> && counted[v] != map.quarter_turns[i])
         return fail(Exact_map_status::CONE_ANGLE, v, none, 0);
-      counted[v] = quarter_turns[i];
+      counted[v] = map.quarter_turns[i];
     }
     for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
       m_layout.set_quarter_turns(v, counted[v]);
@@ -303,6 +459,7 @@ private:
   Triangulation_connectivity m_mesh;
   Uv_array m_uv;
   double m_tolerance;
+  double m_size = 0; // the largest coordinate
   Exact_map_figures m_figures;
   Seamless_layout<FT> m_layout;
 };

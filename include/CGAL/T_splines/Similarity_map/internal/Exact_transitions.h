@@ -8,6 +8,11 @@
 #include <CGAL/T_splines/Similarity_map/internal/Branch_fit.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_forest.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>
+#include <CGAL/T_splines/Similarity_map/internal/Cut_map.h>
+#include <CGAL/T_splines/Similarity_map/internal/Free_points.h>
+#include <CGAL/T_splines/Similarity_map/internal/Homogeneous_equations.h>
+#include <CGAL/T_splines/Similarity_map/internal/Isoline_equation.h>
+#include <CGAL/T_splines/Similarity_map/internal/Isoline_search.h>
 #include <CGAL/T_splines/Similarity_map/internal/Plane_vector.h>
 #include <CGAL/T_splines/internal/exactness.h>
 
@@ -42,23 +47,28 @@ enum class Cut_node_kind : char {
 template <typename FT>
 class Exact_transitions {
   using Number = Plane_vector<FT>;
+  using Equations = Homogeneous_equations<FT>;
 
 public:
   using Transition = Similarity_2<FT>;
 
   /// \param kind per node
   /// \param uncertainty per branch, of the logarithm of its scale factor
-  Exact_transitions(const Cut_graph& graph, const std::vector<Branch_fit>& fits, const std::vector<Cut_node_kind>& kind,
+  Exact_transitions(const Cut_map& map, const Free_points& points, const std::vector<Cut_node_kind>& kind,
                     const std::vector<double>& uncertainty)
-    : m_graph(graph),
-      m_fits(fits),
+    : m_map(map),
+      m_graph(map.graph),
+      m_fits(map.fits),
+      m_points(points),
       m_kind(kind),
-      m_scale_forest(graph, nodes_of_kind(kind, {Cut_node_kind::BORDER}), uncertainty),
-      m_translation_forest(graph, nodes_of_kind(kind, {Cut_node_kind::BORDER, Cut_node_kind::ROTATION}), uncertainty),
-      m_free_scale(graph.number_of_branches(), 1.),
-      m_scale(graph.number_of_branches(), FT(1)),
-      m_inverse_scale(graph.number_of_branches(), FT(1)),
-      m_translation(graph.number_of_branches())
+      m_scale_forest(m_graph, nodes_of_kind(kind, {Cut_node_kind::BORDER}), uncertainty),
+      m_translation_forest(m_graph, nodes_of_kind(kind, {Cut_node_kind::BORDER, Cut_node_kind::ROTATION}), uncertainty),
+      m_free_scale(m_graph.number_of_branches(), 1.),
+      m_scale(m_graph.number_of_branches(), FT(1)),
+      m_inverse_scale(m_graph.number_of_branches(), FT(1)),
+      m_translation(m_graph.number_of_branches()),
+      m_free(m_graph.number_of_branches() + points.size()),
+      m_equations(2 * (m_graph.number_of_branches() + points.size()))
   {
     choose_free_scales(uncertainty);
   }
@@ -66,17 +76,55 @@ public:
   /// Whether all scale factors are 1.
   bool is_isometric() const { return m_is_isometric; }
 
-  /// Computes the transitions with free scale factors of so many bits.
+  /// Sets the isolines that are to connect cones exactly. \param lines to be kept alive
+  void set_lines(const std::vector<Isoline_coincidence>& lines)
+  {
+    m_lines = &lines;
+    m_has_equations = false;
+  }
+
+  /// Computes the transitions: with free scale factors of so many bits; or if all scale factors are 1, with
+  /// translations that are multiples of the so-manieth part of the size of the map, in bits.
   void compute(const int bits)
   {
-    compute_scales(bits);
-    collect_coefficients();
-    for (int b = 0; b < m_graph.number_of_branches(); ++b)
-      if (!m_translation_forest.is_tree(b))
-        m_translation[b] = free_translation(b);
-    close_components_without_ground();
+    if (!m_is_isometric || !m_has_equations) {
+      compute_scales(bits);
+      collect_coefficients();
+      collect_equations([this](std::size_t, const typename Equations::Row& row) { add_equation(row, 0); });
+    }
+    choose_free_values(bits, 1);
+    if (m_is_isometric && !are_on_grid()) // they have denominators that are to cancel
+      choose_free_values(bits, m_equations.odd_denominator());
     compute_tree_translations();
-    close_components_on_lines();
+  }
+
+  /// Tells which lines are independent of the ones before them, clearly: of those that are not, some may follow from the
+  /// others only as long as the scale factors are what they are.
+  /// \param number_of_sides how many of them, the first ones, are to hold anyway
+  std::vector<char> independent_lines(const std::vector<Isoline_coincidence>& lines, const std::size_t number_of_sides)
+  {
+    constexpr double smallest = 1. / 64;
+    compute_scales(53);
+    collect_coefficients();
+    set_lines(lines);
+    std::vector<char> result(lines.size(), 0);
+    collect_equations([&](const std::size_t i, typename Equations::Row row) {
+      result[i] = add_equation(row, i < number_of_sides ? 0 : smallest) || i < number_of_sides;
+    });
+    return result;
+  }
+
+  /// Tells which lines connect their cones exactly.
+  std::vector<char> lines_that_hold(const std::vector<Isoline_coincidence>& lines) const
+  {
+    std::vector<char> result;
+    Linear_function<FT> sum(m_graph.number_of_branches() + m_points.size());
+    const Isoline_equation<FT> equation(m_map, m_points, m_scale, m_inverse_scale);
+    for (const Isoline_coincidence& line : lines) {
+      equation.add_to(line, sum);
+      result.push_back(m_equations.reduced(row(sum)).empty());
+    }
+    return result;
   }
 
   Transition transition(const int branch) const
@@ -84,6 +132,16 @@ public:
     return Transition(m_fits[branch].quarter_turns(), m_scale[branch], m_translation[branch].u,
                       m_translation[branch].v);
   }
+
+  /// The coordinates of a free point in its sector.
+  std::pair<FT, FT> point(const int i) const
+  {
+    const Number& p = m_free[m_graph.number_of_branches() + i];
+    return {p.u, p.v};
+  }
+
+  /// A coordinate of the map, on the grid of an isometric map.
+  double on_grid(const double x) const { return m_unit == 0 ? x : rounded_to(x, m_unit); }
 
 private:
   struct Coefficient {
@@ -218,18 +276,49 @@ private:
     return sum;
   }
 
-  // A multiple of a power of two that is small against the edges of the branch, where a double can hold that.
-  Number free_translation(const int branch) const
+  static double rounded_to(const double x, const double unit)
+  {
+    const double n = x / unit;
+    return std::abs(n) < 4503599627370496. ? std::nearbyint(n) * unit : x;
+  }
+
+  // Without a grid, a multiple of a power of two that is small against the edges of the branch.
+  Number free_translation(const int branch, const double unit) const
   {
     const Plane_vector<double> t = m_fits[branch].translation(CGAL::to_double(m_scale[branch]));
     int exponent;
     std::frexp(m_fits[branch].shortest_edge(), &exponent);
-    const double unit = std::ldexp(1., exponent - 32);
-    const auto round = [unit](const double x) {
-      const double n = x / unit;
-      return std::abs(n) < 4503599627370496. ? std::nearbyint(n) * unit : x;
-    };
-    return {FT(round(t.u)), FT(round(t.v))};
+    const double own_unit = unit > 0 ? unit : std::ldexp(1., exponent - 32);
+    return {FT(rounded_to(t.u, own_unit)), FT(rounded_to(t.v, own_unit))};
+  }
+
+  // \param factor of the unit of the grid
+  void choose_free_values(const int bits, const int factor)
+  {
+    int exponent;
+    std::frexp(m_map.size, &exponent);
+    m_unit = m_is_isometric ? std::ldexp(1., exponent - bits) : 0;
+    const double unit = m_is_isometric ? m_unit * factor : 0;
+    for (int b = 0; b < m_graph.number_of_branches(); ++b)
+      m_free[b] = free_translation(b, unit);
+    for (int i = 0; i < m_points.size(); ++i) {
+      const std::array<double, 2>& p = m_map.uv[m_points[i].corner];
+      m_free[m_graph.number_of_branches() + i] =
+          m_is_isometric ? Number{FT(rounded_to(p[0], unit)), FT(rounded_to(p[1], unit))} : Number{FT(p[0]), FT(p[1])};
+    }
+    m_equations.solve([this](const int variable) -> FT& {
+      Number& x = m_free[variable / 2];
+      return variable % 2 == 0 ? x.u : x.v;
+    });
+  }
+
+  // Whether the values are multiples of a small part of the unit.
+  bool are_on_grid() const
+  {
+    return std::all_of(m_free.begin(), m_free.end(), [this](const Number& x) {
+      return Equations::is_integer(FT(x.u / FT(m_unit)) * FT(Equations::even_denominator)) &&
+             Equations::is_integer(FT(x.v / FT(m_unit)) * FT(Equations::even_denominator));
+    });
   }
 
   bool is_line(const int node) const
@@ -237,125 +326,154 @@ private:
     return m_kind[node] == Cut_node_kind::BORDER_LINE_U || m_kind[node] == Cut_node_kind::BORDER_LINE_V;
   }
 
-  // What the translation around a node still lacks; along the border's own line nothing is asked for.
-  Number left_over(const int node) const
+  // Of the equation of a node, what is asked for: along the border's own line nothing is.
+  Number asked(const int node, Number x) const
   {
-    Number sum;
-    for (const Coefficient& c : m_coefficients[node])
-      sum = sum + c.value * m_translation[c.branch];
     if (m_kind[node] == Cut_node_kind::BORDER_LINE_U)
-      sum.v = FT(0);
+      x.v = FT(0);
     if (m_kind[node] == Cut_node_kind::BORDER_LINE_V)
-      sum.u = FT(0);
-    return sum;
+      x.u = FT(0);
+    return x;
   }
 
   void compute_tree_translations()
   {
+    for (int b = 0; b < m_graph.number_of_branches(); ++b)
+      m_translation[b] = m_translation_forest.is_tree(b) ? Number() : m_free[b];
     const std::vector<int>& order = m_translation_forest.order();
     for (auto node = order.rbegin(); node != order.rend(); ++node) {
       const int parent = m_translation_forest.parent_branch(*node);
       if (parent == Cut_forest::none)
         continue;
-      m_translation[parent] = is_line(*node) ? free_translation(parent) : Number();
-      m_translation[parent] = m_translation[parent] - left_over(*node) * coefficient(*node, parent).inverse();
+      if (is_line(*node))
+        m_translation[parent] = m_free[parent];
+      Number sum;
+      for (const Coefficient& c : m_coefficients[*node])
+        sum = sum + c.value * m_translation[c.branch];
+      m_translation[parent] = m_translation[parent] - asked(*node, sum) * coefficient(*node, parent).inverse();
     }
   }
 
-  // A component without ground whose root is a loop on a line: mostly its equation holds by itself. If not, it is
-  // solved for the coordinate of a free translation that it depends on most.
-  void close_components_on_lines()
-  {
-    for (int root = 0; root < m_graph.number_of_nodes(); ++root) {
-      if (m_translation_forest.root(root) != root || !is_line(root))
-        continue;
-      const auto value = [&] {
-        compute_tree_translations();
-        const Number left = left_over(root);
-        return FT(left.u + left.v);
-      };
-      const FT left = value();
-      if (left == FT(0) || !is_exact_number_type<FT>)
-        continue;
-      FT* best = nullptr;
-      FT best_slope(0);
-      for (int b = 0; b < m_graph.number_of_branches(); ++b) {
-        if (m_translation_forest.is_tree(b) || m_translation_forest.root(m_graph.nodes_of_branch(b)[0]) != root)
-          continue;
-        for (FT* const x : {&m_translation[b].u, &m_translation[b].v}) {
-          const FT before = *x;
-          *x = FT(before + FT(1));
-          const FT slope = value() - left;
-          *x = before;
-          if (CGAL::abs(slope) > CGAL::abs(best_slope)) {
-            best_slope = slope;
-            best = x;
-          }
-        }
-      }
-      if (best != nullptr)
-        *best = FT(*best - left / best_slope);
-      compute_tree_translations();
-    }
-  }
+  // --- equations between what is free
 
-  // Where no ground takes up what is left over, the equation of the root remains. Multiples of the other equations
-  // eliminate the branches of the tree from it; one of the free translations is solved for.
-  void close_components_without_ground()
+  // Expresses a function of all translations by those that are free.
+  void eliminate_tree(Linear_function<FT>& sum) const
   {
-    std::vector<Number> multiple(m_graph.number_of_nodes());
-    std::vector<Number> left(m_graph.number_of_branches());
-    std::vector<int> root_of_branch(m_graph.number_of_branches(), Cut_forest::none);
-    bool has_root = false;
     for (const int node : m_translation_forest.order()) {
-      const int root = m_translation_forest.root(node);
-      if (root == Cut_forest::none || is_line(root))
-        continue;
-      has_root = true;
       const int parent = m_translation_forest.parent_branch(node);
-      if (parent == Cut_forest::none)
-        multiple[node] = {FT(1), FT(0)};
-      else {
-        const std::array<int, 2>& nodes = m_graph.nodes_of_branch(parent);
-        const int above = nodes[0] == node ? nodes[1] : nodes[0];
-        multiple[node] = -(multiple[above] * coefficient(above, parent) * coefficient(node, parent).inverse());
-      }
-      for (const Coefficient& c : m_coefficients[node])
-        if (!m_translation_forest.is_tree(c.branch)) {
-          left[c.branch] = left[c.branch] + multiple[node] * c.value;
-          root_of_branch[c.branch] = root;
-        }
-    }
-    if (has_root)
-      solve_roots(left, root_of_branch);
-  }
-
-  void solve_roots(const std::vector<Number>& left, const std::vector<int>& root_of_branch)
-  {
-    std::vector<int> best(m_graph.number_of_nodes(), Cut_forest::none); // per root, the largest coefficient
-    std::vector<Number> sum(m_graph.number_of_nodes());
-    for (int b = 0; b < m_graph.number_of_branches(); ++b) {
-      const int root = root_of_branch[b];
-      if (root == Cut_forest::none || left[b].is_zero())
+      if (parent == Cut_forest::none || sum.weight(parent).is_zero())
         continue;
-      sum[root] = sum[root] + left[b] * m_translation[b];
-      if (best[root] == Cut_forest::none || left[best[root]].squared_norm() < left[b].squared_norm())
-        best[root] = b;
+      const Number own = coefficient(node, parent), factor = sum.weight(parent) * own.inverse(),
+                   determined = asked(node, factor);
+      sum.set_zero(parent);
+      if (is_line(node))
+        sum.add(parent, (factor - determined) * own);
+      for (const Coefficient& c : m_coefficients[node])
+        if (c.branch != parent)
+          sum.add(c.branch, -(determined * c.value));
     }
-    for (int root = 0; root < m_graph.number_of_nodes(); ++root)
-      if (best[root] != Cut_forest::none)
-        m_translation[best[root]] = m_translation[best[root]] - sum[root] * left[best[root]].inverse();
   }
 
+  // The function as a row of real coefficients; it is cleared.
+  typename Equations::Row row(Linear_function<FT>& sum) const
+  {
+    eliminate_tree(sum);
+    typename Equations::Row result;
+    std::vector<int> used = sum.used();
+    std::sort(used.begin(), used.end());
+    for (const int unknown : used) {
+      const Number& weight = sum.weight(unknown);
+      if (weight.u != FT(0))
+        result.emplace_back(2 * unknown, weight.u);
+      if (weight.v != FT(0))
+        result.emplace_back(2 * unknown + 1, FT(-weight.v));
+    }
+    sum.clear();
+    return result;
+  }
+
+  // Where no ground takes up what is left over, the equation of a root remains; where its root is a loop on a line, one
+  // coordinate of it. Then come the isolines.
+  template <typename Add>
+  void collect_equations(const Add& add)
+  {
+    m_has_equations = true;
+    m_equations.clear();
+    Linear_function<FT> sum(m_graph.number_of_branches() + m_points.size());
+    for (int root = 0; root < m_graph.number_of_nodes(); ++root) {
+      if (m_translation_forest.root(root) != root)
+        continue;
+      for (const Number& part : {Number{FT(1), FT(0)}, Number{FT(0), FT(-1)}}) {
+        if (asked(root, part).is_zero())
+          continue;
+        for (const Coefficient& c : m_coefficients[root])
+          sum.add(c.branch, part * c.value);
+        add_equation(row(sum), 0);
+      }
+    }
+    if (m_lines == nullptr)
+      return;
+    const Isoline_equation<FT> equation(m_map, m_points, m_scale, m_inverse_scale);
+    for (std::size_t i = 0; i < m_lines->size(); ++i) {
+      equation.add_to((*m_lines)[i], sum);
+      add(i, row(sum));
+    }
+  }
+
+  // Adds an equation, unless what is left of it when the others are inserted is too small.
+  bool add_equation(const typename Equations::Row& row, const double smallest)
+  {
+    constexpr double round_off = is_exact_number_type<FT> ? 0 : 1e-12;
+    const auto largest_of = [](const typename Equations::Row& r) {
+      double result = 0;
+      for (const auto& entry : r)
+        result = std::max(result, std::abs(CGAL::to_double(entry.second)));
+      return result;
+    };
+    typename Equations::Row reduced = m_equations.reduced(row);
+    const double largest = largest_of(reduced);
+    if (largest <= std::max(smallest, round_off) * largest_of(row))
+      return false;
+    const int pivot = variable_to_solve_for(reduced, largest);
+    m_equations.add(std::move(reduced), pivot);
+    return true;
+  }
+
+  // Of the variables with large coefficients, or without scale factors with powers of two, which keep numbers short, the
+  // one that occurs least in other equations.
+  int variable_to_solve_for(const typename Equations::Row& row, const double largest) const
+  {
+    int best = -1;
+    std::pair<bool, std::size_t> best_rank;
+    for (const auto& entry : row) {
+      const double value = std::abs(CGAL::to_double(entry.second));
+      int exponent;
+      const bool is_good = m_is_isometric ? std::frexp(value, &exponent) == 0.5 : value >= largest / 4;
+      const std::pair<bool, std::size_t> rank(!is_good, m_equations.number_of_occurrences(entry.first));
+      if (best == -1 || rank < best_rank) {
+        best = entry.first;
+        best_rank = rank;
+      }
+    }
+    return best;
+  }
+
+  const Cut_map& m_map;
   const Cut_graph& m_graph;
   const std::vector<Branch_fit>& m_fits;
+  const Free_points& m_points;
   const std::vector<Cut_node_kind>& m_kind;
   Cut_forest m_scale_forest, m_translation_forest;
   std::vector<double> m_free_scale; // per branch: 1, or the factor greater than 1, negative if the inverse is meant
   std::vector<FT> m_scale, m_inverse_scale;             // per branch
   std::vector<Number> m_translation;                    // per branch
   std::vector<std::vector<Coefficient>> m_coefficients; // per node
+  std::vector<Number> m_free; // per branch, those of the tree do not count; and per free point
+  Equations m_equations;      // for the coordinates of these
+  const std::vector<Isoline_coincidence>* m_lines = nullptr;
+  bool m_has_equations = false; // they are those of the lines
   bool m_is_isometric = true;
+  double m_unit = 0; // of the grid of an isometric map
 };
 
 } // namespace internal

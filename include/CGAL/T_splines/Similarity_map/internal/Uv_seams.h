@@ -22,6 +22,12 @@ inline double distance(const std::array<double, 2>& a, const std::array<double, 
   return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
+inline double squared_distance(const std::array<double, 2>& a, const std::array<double, 2>& b)
+{
+  const double u = a[0] - b[0], v = a[1] - b[1];
+  return u * u + v * v;
+}
+
 inline double largest_coordinate(const std::array<double, 2>& a)
 {
   return std::max(std::abs(a[0]), std::abs(a[1]));

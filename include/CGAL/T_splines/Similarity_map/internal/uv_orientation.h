@@ -90,22 +90,27 @@ int uv_octant(const Seamless_layout<FT>& layout, const int h)
   return octant[sign(0) + 1][sign(1) + 1];
 }
 
-/// The cone angles of all vertices in quarter turns, from the number of axes in the sectors of their corners.
-template <typename FT>
-std::vector<int> count_quarter_turns(const Seamless_layout<FT>& layout)
+/// The same for corners in doubles.
+inline int uv_octant(const std::array<double, 2>& from, const std::array<double, 2>& to)
+{
+  constexpr int octant[3][3] = {{5, 4, 3}, {6, 0, 2}, {7, 0, 1}};
+  return octant[(to[0] > from[0]) - (to[0] < from[0]) + 1][(to[1] > from[1]) - (to[1] < from[1]) + 1];
+}
+
+/// Adds the angles of the corners of a face, times a sign, to those of its vertices: in quarter turns, as the number of
+/// axes in the sectors of the corners.
+/// \param octant function object: halfedge -> octant
+template <typename Octant>
+void add_quarter_turns(const Triangulation_connectivity& mesh, const int f, const Octant& octant, const int sign,
+                       std::vector<int>& result)
 {
   // Axes in the sector from one octant on, up to another but without it.
   const auto axes = [](const int from, const int to) { return (((to + 8 - from) & 7) + (from & 1 ? 0 : 1)) / 2; };
-  const Triangulation_connectivity& mesh = layout.mesh();
-  std::vector<int> result(mesh.number_of_vertices(), 0);
-  for (int f = 0; f < mesh.number_of_faces(); ++f) {
-    const int h = mesh.halfedge_of_face(f), j = mesh.next(h), k = mesh.next(j);
-    const int a = uv_octant(layout, h), b = uv_octant(layout, j), c = uv_octant(layout, k);
-    result[mesh.target(h)] += axes(b, (a + 4) & 7);
-    result[mesh.target(j)] += axes(c, (b + 4) & 7);
-    result[mesh.target(k)] += axes(a, (c + 4) & 7);
-  }
-  return result;
+  const int h = mesh.halfedge_of_face(f), j = mesh.next(h), k = mesh.next(j);
+  const int a = octant(h), b = octant(j), c = octant(k);
+  result[mesh.target(h)] += sign * axes(b, (a + 4) & 7);
+  result[mesh.target(j)] += sign * axes(c, (b + 4) & 7);
+  result[mesh.target(k)] += sign * axes(a, (c + 4) & 7);
 }
 
 } // namespace internal
