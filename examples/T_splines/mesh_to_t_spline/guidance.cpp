@@ -146,14 +146,15 @@ Failure signature_of_computed_field(const Options& options, Mesh& mesh, Chosen_s
                                     Progress& progress, Signature& signature, Figures::Signature& figures)
 {
   const Cross_field field = mesh.add_property_map<Face, Kernel::Vector_3>("f:cross").first;
-  const auto np = CGAL::T_splines::parameters::curvature_alignment(options.curvature_alignment)
-                      .visitor(Progress_handle(progress))
-                      .sparse_linear_solver(std::ref(solver));
+  const auto matchings = mesh.add_property_map<Halfedge, int>("h:matching", 0).first;
+  const auto np = CGAL::T_splines::parameters::curvature_alignment(
+                      options.curvature_alignment, CGAL::T_splines::parameters::halfedge_matching_map(matchings))
+                      .visitor(Progress_handle(progress));
   const auto report = CGAL::T_splines::compute_smooth_cross_field(mesh, field, np);
   if (!report.success())
     return {options.mesh + ": cross field: " + message(report.status), false};
   const Failure failure = take_signature(options.mesh + ": computed cross field", mesh, field, false,
-                                         CGAL::parameters::default_values(), signature);
+                                         CGAL::T_splines::parameters::halfedge_matching_map(matchings), signature);
   if (failure || !options.are_cones_reduced)
     return failure;
   return reduce_cones(options, mesh, solver, progress, signature, figures);

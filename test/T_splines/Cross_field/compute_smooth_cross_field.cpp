@@ -28,8 +28,8 @@ namespace {
 test::Vector_3 unit_normal(const Mesh& mesh, const Mesh::Face_index f)
 {
   const auto h = halfedge(f, mesh);
-  const test::Vector_3 normal = CGAL::normal(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)),
-                                             mesh.point(target(next(h, mesh), mesh)));
+  const test::Vector_3 normal =
+      CGAL::normal(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)), mesh.point(target(next(h, mesh), mesh)));
   return normal / std::sqrt(normal.squared_length());
 }
 
@@ -38,6 +38,33 @@ double alignment(const Mesh& mesh, const Mesh::Face_index f, const test::Vector_
 {
   const test::Vector_3 other = CGAL::cross_product(unit_normal(mesh, f), cross);
   return (std::max)(std::abs(cross * v), std::abs(other * v)) / std::sqrt(v.squared_length());
+}
+
+// Whether the faces at an edge turn by more than `angle`.
+bool is_sharp(const Mesh& mesh, const Mesh::Edge_index e, const double angle)
+{
+  const auto h = halfedge(e, mesh);
+  return unit_normal(mesh, face(h, mesh)) * unit_normal(mesh, face(opposite(h, mesh), mesh)) < std::cos(angle);
+}
+
+// Checks that a field makes at least one quarter turn around each vertex, by its own matchings and by the closest ones.
+// Returns how many vertices were repaired.
+int check_quarter_turns(Mesh mesh, const bool are_sharp_edges_marked)
+{
+  auto field = mesh.add_property_map<Mesh::Face_index, test::Vector_3>("f:cross").first;
+  auto matching = mesh.add_property_map<Mesh::Halfedge_index, int>("h:matching", 0).first;
+  auto is_marked = mesh.add_property_map<Mesh::Edge_index, bool>("e:marked", false).first;
+  for (const auto e : edges(mesh))
+    is_marked[e] = are_sharp_edges_marked && is_sharp(mesh, e, 0.7);
+  const auto np = ts::parameters::halfedge_matching_map(matching);
+  const auto report = ts::compute_smooth_cross_field(mesh, field, np.edge_is_constrained_map(is_marked));
+  REQUIRE(report.success());
+  ts::Holonomy_signature<Mesh> signature;
+  CHECK(ts::holonomy_signature_of_cross_field(mesh, field, signature).success());
+  CHECK(ts::check_holonomy_signature(mesh, signature).success());
+  CHECK(ts::holonomy_signature_of_cross_field(mesh, field, signature, np).success());
+  CHECK(ts::check_holonomy_signature(mesh, signature).success());
+  return report.number_of_repaired_vertices;
 }
 
 struct Interrupting_visitor {
@@ -89,7 +116,8 @@ TEST_CASE("smooth fields are tangent, of unit length, and their signatures admis
 TEST_CASE("neither size nor place changes a field, and equal seeds give equal fields")
 {
   const test::Soup soup = test::plate(2, 3);
-  Mesh mesh = test::to_mesh<Mesh>(soup), small = test::to_mesh<Mesh>(test::transformed(soup, 1. / (1 << 30), {0, 0, 0})),
+  Mesh mesh = test::to_mesh<Mesh>(soup),
+       small = test::to_mesh<Mesh>(test::transformed(soup, 1. / (1 << 30), {0, 0, 0})),
        far = test::to_mesh<Mesh>(test::transformed(soup, 3, {1 << 24, -(1 << 24), 1 << 24}));
   auto field = get(CGAL::dynamic_face_property_t<test::Vector_3>(), mesh);
   REQUIRE(ts::compute_smooth_cross_field(mesh, field).success());
@@ -177,7 +205,8 @@ TEST_CASE("a mesh with a border has a field")
   square.add_face(a, c, d);
   auto flat = get(CGAL::dynamic_face_property_t<test::Vector_3>(), square);
   REQUIRE(ts::compute_smooth_cross_field(square, flat).success());
-  CHECK(alignment(square, Mesh::Face_index(0), get(flat, Mesh::Face_index(0)), get(flat, Mesh::Face_index(1))) == Approx(1));
+  CHECK(alignment(square, Mesh::Face_index(0), get(flat, Mesh::Face_index(0)), get(flat, Mesh::Face_index(1))) ==
+        Approx(1));
 }
 
 TEST_CASE("a needle gets a positive number of quarter turns")
@@ -191,6 +220,45 @@ TEST_CASE("a needle gets a positive number of quarter turns")
   REQUIRE(ts::compute_smooth_cross_field(mesh, field).success());
   ts::Holonomy_signature<Mesh> signature;
   CHECK(ts::holonomy_signature_of_cross_field(mesh, field, signature).success());
+}
+
+TEST_CASE("around every vertex there is at least one quarter turn, with and without marked edges")
+{
+  int number_of_repaired = 0, number_of_repaired_at_marks = 0;
+  const auto check = [&](const test::Soup& soup) {
+    number_of_repaired += check_quarter_turns(test::to_mesh<Mesh>(soup), false);
+    number_of_repaired_at_marks += check_quarter_turns(test::to_mesh<Mesh>(soup), true);
+  };
+  for (const std::size_t sides : {5, 12, 180, 400, 5000}) {
+    CAPTURE(sides);
+    for (const double height : {0.001, 2.}) {
+      check(test::cylinder(sides, height, true));
+      check(test::cylinder(sides, height, false));
+    }
+    check(test::double_cone(sides, 0, 3));
+    check(test::double_cone(sides, -50, 50));
+    check(test::double_cone(sides, -0.01, 0.01));
+    check(test::double_cone(sides, 0.9, 1));
+  }
+  CHECK(number_of_repaired > 0);
+  CHECK(number_of_repaired_at_marks > 0);
+}
+
+TEST_CASE("a hedgehog and a rough surface have at least one quarter turn at every vertex")
+{
+  Mesh mesh = test::to_mesh<Mesh>(test::cubes([](int x, int y, int z) { return x == 0 && y == 0 && z == 0; }, 1, 8));
+  Mesh rough = mesh;
+  for (const auto v : vertices(mesh)) {
+    const test::Vector_3 outward = mesh.point(v) - test::Point_3(0.5, 0.5, 0.5);
+    if (v.idx() % 3 == 0)
+      mesh.point(v) = mesh.point(v) + 5 * outward;
+    const auto random = [&v](const int k) { return 0.2 * std::sin(1e4 * (v.idx() + 1) * k); };
+    rough.point(v) = rough.point(v) + test::Vector_3(random(1), random(2), random(3));
+  }
+  CHECK(check_quarter_turns(mesh, false) > 0);
+  check_quarter_turns(rough, false);
+  check_quarter_turns(mesh, true);
+  check_quarter_turns(rough, true);
 }
 
 TEST_CASE("real meshes with bad triangles have admissible fields")

@@ -28,7 +28,7 @@ using Vector_3 = Kernel::Vector_3;
 using Surface_mesh = CGAL::Surface_mesh<Point_3>;
 using Polyhedron_3 = CGAL::Polyhedron_3<Kernel>;
 using Linear_cell_complex =
-  CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, CGAL::Linear_cell_complex_traits<3, Kernel>>::type;
+    CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, CGAL::Linear_cell_complex_traits<3, Kernel>>::type;
 
 struct Soup {
   std::vector<Point_3> points;
@@ -102,9 +102,11 @@ inline Soup cubes(const std::function<bool(int, int, int)>& is_filled, const int
 inline Soup plate(const int genus, const int n = 2)
 {
   const int length = 2 * genus + 1;
-  return cubes([length](const int x, const int y, const int z) {
-    return x >= 0 && x < length && y >= 0 && y < 3 && z == 0 && !(y == 1 && x % 2 == 1);
-  }, length < 3 ? 3 : length, n);
+  return cubes(
+      [length](const int x, const int y, const int z) {
+        return x >= 0 && x < length && y >= 0 && y < 3 && z == 0 && !(y == 1 && x % 2 == 1);
+      },
+      length < 3 ? 3 : length, n);
 }
 
 // Both surfaces, the second one moved away from the first.
@@ -137,8 +139,7 @@ inline Soup punctured_torus()
 }
 
 template <typename Mesh>
-using Face_vector_map =
-  typename boost::property_map<Mesh, CGAL::dynamic_face_property_t<Vector_3>>::type;
+using Face_vector_map = typename boost::property_map<Mesh, CGAL::dynamic_face_property_t<Vector_3>>::type;
 
 // The field of the directions around the axis of a surface of revolution about the z-axis.
 template <typename Mesh>
@@ -156,6 +157,46 @@ Face_vector_map<Mesh> field_around_axis(Mesh& mesh)
     put(field, f, around - (around * normal) / normal.squared_length() * normal);
   }
   return field;
+}
+
+// A cylinder of radius 1 whose bottom and top are fans: around their middles, or around one vertex of the rim.
+inline Soup cylinder(const std::size_t sides, const double height, const bool has_middles)
+{
+  Soup soup;
+  const double pi = 3.14159265358979323846;
+  for (std::size_t i = 0; i < sides; ++i) {
+    const double a = 2 * pi * static_cast<double>(i) / static_cast<double>(sides);
+    for (const double z : {0., height})
+      soup.points.emplace_back(std::cos(a), std::sin(a), z);
+    const std::size_t j = (i + 1) % sides;
+    soup.faces.push_back({2 * i, 2 * j, 2 * j + 1});
+    soup.faces.push_back({2 * i, 2 * j + 1, 2 * i + 1});
+    const std::size_t bottom = has_middles ? 2 * sides : 0, top = bottom + 1;
+    if (has_middles || (i > 0 && j > 0)) {
+      soup.faces.push_back({bottom, 2 * j, 2 * i});
+      soup.faces.push_back({top, 2 * i + 1, 2 * j + 1});
+    }
+  }
+  if (has_middles)
+    for (const double z : {0., height})
+      soup.points.emplace_back(0, 0, z);
+  return soup;
+}
+
+// Two cones on one circle of radius 1, with their tips at the given heights.
+inline Soup double_cone(const std::size_t sides, const double bottom, const double top)
+{
+  Soup soup;
+  const double pi = 3.14159265358979323846;
+  for (std::size_t i = 0; i < sides; ++i) {
+    const double a = 2 * pi * static_cast<double>(i) / static_cast<double>(sides);
+    soup.points.emplace_back(std::cos(a), std::sin(a), 0);
+    soup.faces.push_back({sides, (i + 1) % sides, i});
+    soup.faces.push_back({sides + 1, i, (i + 1) % sides});
+  }
+  soup.points.emplace_back(0, 0, bottom);
+  soup.points.emplace_back(0, 0, top);
+  return soup;
 }
 
 } // namespace test

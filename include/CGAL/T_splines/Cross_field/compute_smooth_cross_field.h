@@ -5,9 +5,9 @@
 #define CGAL_T_SPLINES_CROSS_FIELD_COMPUTE_SMOOTH_CROSS_FIELD_H
 
 #include <CGAL/T_splines/Cross_field/check_triangle_mesh.h>
-#include <CGAL/T_splines/Cross_field/internal/Complex_structure_solver.h>
 #include <CGAL/T_splines/Cross_field/internal/Smooth_field_computation.h>
 #include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
+#include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
 #include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
 #include <CGAL/T_splines/Progress_visitor.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
@@ -27,10 +27,9 @@ namespace T_splines {
 
 /// How the computation of a smooth cross field ended.
 enum class Smooth_cross_field_status {
-  COMPUTED,      ///< the field was written
-  INVALID_MESH,  ///< the mesh is refused: see `mesh`
-  SOLVER_FAILED, ///< the linear solver refused a system
-  INTERRUPTED    ///< the visitor asked to stop; nothing was written
+  COMPUTED,     ///< the field was written
+  INVALID_MESH, ///< the mesh is refused: see `mesh`
+  INTERRUPTED   ///< the visitor asked to stop; nothing was written
 };
 
 /// returns one sentence that explains `status`.
@@ -39,7 +38,6 @@ inline const char* message(const Smooth_cross_field_status status)
   switch (status) {
   case Smooth_cross_field_status::COMPUTED: return "the cross field was computed";
   case Smooth_cross_field_status::INVALID_MESH: return "the mesh is not a triangle mesh with positive areas";
-  case Smooth_cross_field_status::SOLVER_FAILED: return "the linear solver failed";
   case Smooth_cross_field_status::INTERRUPTED: return "interrupted by the visitor";
   }
   return "";
@@ -52,9 +50,10 @@ struct Smooth_cross_field_report {
   Smooth_cross_field_status status = Smooth_cross_field_status::COMPUTED;
   Triangle_mesh_report<TriangleMesh> mesh;
   int number_of_singularities = 0;     ///< vertices, not on the border, with other than four quarter turns
-  int number_of_repaired_vertices = 0; ///< spikes where the smoothest cross would not have made a quarter turn
-  double energy = 0; ///< smallest eigenvalue of the connection Laplacian times the area, summed over the components without
-                     ///< constraints; dimensionless
+  int number_of_repaired_vertices = 0; ///< where the smoothest cross would not have made a quarter turn
+  double energy =
+      0; ///< smallest eigenvalue of the connection Laplacian times the area, summed over the components without
+         ///< constraints; dimensionless
 
   bool success() const { return status == Smooth_cross_field_status::COMPUTED; }
 };
@@ -70,15 +69,15 @@ Smooth_field_options smooth_field_options(const Mesh_indexing<TriangleMesh>& ind
   const TriangleMesh& mesh = indexing.graph();
   Smooth_field_options options;
   options.curvature_alignment = choose_parameter(get_parameter(np, np_tags::curvature_alignment), 0.);
-  options.diffusion_steps =
-    static_cast<int>(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), default_diffusion_steps));
+  options.diffusion_steps = static_cast<int>(
+      choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), default_diffusion_steps));
   options.seed = static_cast<unsigned int>(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0));
   options.is_edge_constrained.assign(indexing.number_of_halfedges() / 2, 0);
   const auto is_constrained = get_parameter(np, CGAL::internal_np::edge_is_constrained);
   if constexpr (!std::is_same_v<std::decay_t<decltype(is_constrained)>, CGAL::internal_np::Param_not_found>)
     for (std::size_t e = 0; e < options.is_edge_constrained.size(); ++e)
       options.is_edge_constrained[e] =
-        get(is_constrained, edge(indexing.halfedge(2 * static_cast<int>(e)), mesh)) ? 1 : 0;
+          get(is_constrained, edge(indexing.halfedge(2 * static_cast<int>(e)), mesh)) ? 1 : 0;
   return options;
 }
 
@@ -89,8 +88,25 @@ void write_cross_field(const Mesh_indexing<TriangleMesh>& indexing, const Triang
   using Vector_3 = typename boost::property_traits<CrossFieldMap>::value_type;
   for (int f = 0; f < mesh.number_of_faces(); ++f) {
     const Triangle_geometry::Vector_3 v =
-      std::cos(angle[f]) * geometry.x_axis(mesh, f) + std::sin(angle[f]) * geometry.y_axis(mesh, f);
+        std::cos(angle[f]) * geometry.x_axis(mesh, f) + std::sin(angle[f]) * geometry.y_axis(mesh, f);
     put(cross_field, indexing.face(f), Vector_3(v.x(), v.y(), v.z()));
+  }
+}
+
+/// The matchings, as in `holonomy_signature_of_cross_field()`, that make the given rotations.
+template <typename TriangleMesh, typename MatchingMap>
+void write_matchings(const Mesh_indexing<TriangleMesh>& indexing, const Triangulation_connectivity& mesh,
+                     const Triangle_geometry& geometry, const std::vector<double>& angle,
+                     const std::vector<double>& rotation, const MatchingMap& matchings)
+{
+  const std::vector<double> relative = angles_to_halfedges(mesh, geometry, angle);
+  for (int h = 0; h < mesh.number_of_halfedges(); h += 2) {
+    int matching = 0;
+    if (mesh.face(h) != Triangulation_connectivity::null && mesh.face(h + 1) != Triangulation_connectivity::null)
+      matching =
+          static_cast<int>(std::lround((rotation[h / 2] - relative[h] + relative[h + 1] + CGAL_PI) / quarter_turn));
+    put(matchings, indexing.halfedge(h), (matching % 4 + 4) % 4);
+    put(matchings, indexing.halfedge(h + 1), (-matching % 4 + 4) % 4);
   }
 }
 
@@ -102,8 +118,8 @@ void write_cross_field(const Mesh_indexing<TriangleMesh>& indexing, const Triang
 /// The crosses are computed on the vertices of the intrinsic Delaunay triangulation, so that a bad triangulation does not decide
 /// where they turn, and carried over to the faces of the mesh. First comes the field of smallest Dirichlet energy for a
 /// given mean length: the eigenvector of the smallest eigenvalue of the connection Laplacian. Some steps of
-/// diffusion and projection to unit length follow; their result is taken where it has fewer singularities. At a spike
-/// whose total angle is so small that the smoothest cross makes no quarter turn the field is changed such that it makes one.
+/// diffusion and projection to unit length follow; their result is taken where it has fewer singularities. Where the
+/// smoothest cross makes no quarter turn, at sharp spikes for instance, the field is changed such that it makes one.
 /// Every connected component is treated by itself. The mesh may have a border; the field does not follow it unless its edges
 /// are marked.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -115,15 +131,18 @@ void write_cross_field(const Mesh_indexing<TriangleMesh>& indexing, const Triang
 ///        - `vertex_point_map`; `geom_traits`
 ///        - `edge_is_constrained_map`: the crosses in the two faces of a marked edge get its direction. In a face with
 ///          several marked edges they get the mean of their directions, or that of the longest one if they contradict each other.
+///          Around a vertex that would make no quarter turn, such as the middle of a circle, some give way.
 ///        - `curvature_alignment` (double >= 0, default 0): how much the field follows the principal curvature
 ///          directions (of Cohen-Steiner and Morvan's tensor). Features larger than the square root of area / w are followed for
 ///          the value w; 100 is a good value, 0 does not follow any. It is -lambda, times the area, in the paper's section 5.
 ///        - `number_of_iterations` (default 10): steps of diffusion and projection; 0 gives the paper's field itself.
 ///          None are made in a guided field.
 ///        - `random_seed` (default 0) of the start vector; equal seeds give equal fields
-///        - `sparse_linear_solver`: a model of `SparseSpdSolverTraits` with `FT = double`
+///        - `halfedge_matching_map`: a read/write property map from halfedges to integers, which receives the matchings that
+///          `holonomy_signature_of_cross_field()` takes. Those by the closest rotation, which it makes itself, are the
+///          same, but for ties.
 ///        - `visitor`: see `Progress_visitor`
-/// Complexity: one or two factorizations of a matrix with two rows per vertex, and some 30 solves.
+/// Complexity: O(n log n) for n faces, memory O(n): the systems are solved by algebraic multigrid, nothing is factorized.
 template <typename TriangleMesh, typename CrossFieldMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Smooth_cross_field_report<TriangleMesh>
@@ -142,23 +161,23 @@ compute_smooth_cross_field(const TriangleMesh& mesh, CrossFieldMap cross_field,
   visitor.begin_stage("cross field");
   const internal::Mesh_indexing<TriangleMesh> indexing(mesh);
   const internal::Triangulation_connectivity connectivity = internal::triangulation_connectivity(indexing);
-  const internal::Triangle_geometry geometry = internal::triangle_geometry(
-    indexing, connectivity, choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                             get_const_property_map(CGAL::vertex_point, mesh)));
+  const internal::Triangle_geometry geometry =
+      internal::triangle_geometry(indexing, connectivity,
+                                  choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                                   get_const_property_map(CGAL::vertex_point, mesh)));
   const internal::Smooth_field_options options = internal::smooth_field_options(indexing, np);
-  auto&& solver = internal::complex_structure_solver(np);
-  internal::Smooth_field_computation<std::remove_reference_t<decltype(solver)>> computation(connectivity, geometry, options,
-                                                                                            solver);
-  bool is_interrupted = false;
-  if (!computation.compute(internal::mesh_components(connectivity), visitor, is_interrupted))
-    report.status = Smooth_cross_field_status::SOLVER_FAILED;
-  else if (is_interrupted)
+  internal::Smooth_field_computation computation(connectivity, geometry, options);
+  if (!computation.compute(internal::mesh_components(connectivity), visitor))
     report.status = Smooth_cross_field_status::INTERRUPTED;
   else {
     report.number_of_singularities = computation.number_of_singularities();
     report.number_of_repaired_vertices = computation.number_of_repaired_vertices();
     report.energy = computation.energy();
     internal::write_cross_field(indexing, connectivity, geometry, computation.angles(), cross_field);
+    const auto matchings = get_parameter(np, np_tags::halfedge_matching_map);
+    if constexpr (!internal::is_missing<decltype(matchings)>)
+      internal::write_matchings(indexing, connectivity, geometry, computation.angles(), computation.rotations(),
+                                matchings);
   }
   return report;
 }

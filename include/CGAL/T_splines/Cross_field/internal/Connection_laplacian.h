@@ -5,7 +5,7 @@
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_CONNECTION_LAPLACIAN_H
 
 #include <CGAL/T_splines/Cross_field/internal/Vertex_frames.h>
-#include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
+#include <CGAL/T_splines/Solver/internal/Hermitian_rows.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <CGAL/number_type_config.h>
@@ -23,52 +23,46 @@ namespace internal {
 /// The Dirichlet energy of sections of the fourth power of the tangent bundle, on the free vertices of one component.
 ///
 /// With w the cotangent weights and u -> r u the parallel transport along an edge, the energy is the sum of w |u_j - r u_i|^2 over
-/// the edges, a Hermitian form. As a real matrix it has two rows for each free vertex, of the real and the imaginary part.
+/// the edges, a Hermitian form.
 class Connection_laplacian {
 public:
   using Complex = std::complex<double>;
+  using Rows = Hermitian_rows<Complex>;
 
   /// \param frames an intrinsically Delaunay triangulation
   /// \param vertices the vertices of the component
   /// \param halfedges the halfedges of even index of the component
   /// \param fixed per vertex of the whole mesh: its value if it is not free, 0 if it is
-  Connection_laplacian(const Vertex_frames& frames, const std::vector<int>& vertices,
-                       const std::vector<int>& halfedges, const std::vector<Complex>& fixed)
+  Connection_laplacian(const Vertex_frames& frames, const std::vector<int>& vertices, const std::vector<int>& halfedges,
+                       const std::vector<Complex>& fixed)
   {
     number_free_vertices(vertices, fixed);
     add_masses(frames, halfedges);
-    std::vector<Entry> entries;
+    std::vector<Rows::Lower_entry> entries;
     entries.reserve(halfedges.size());
     for (const int h : halfedges)
       add_edge(frames, h, fixed, entries);
-    assemble(entries);
+    m_matrix = Rows::from_lower_triangle(m_diagonal, entries);
   }
 
-  /// The free vertices; number i has the rows 2 i and 2 i + 1.
+  /// The free vertices, in the order of the rows.
   const std::vector<int>& free_vertices() const { return m_vertices; }
   const std::vector<double>& masses() const { return m_mass; } ///< per free vertex: a third of the areas around it
   double area() const { return m_area; }
 
   /// The right-hand side that the values of the fixed vertices make.
-  const std::vector<double>& boundary_term() const { return m_boundary_term; }
+  const std::vector<Complex>& boundary_term() const { return m_boundary_term; }
 
-  /// computes a L + b M; the pattern is always the same.
-  Symmetric_sparse_matrix<double> combination(const double a, const double b) const
+  /// L + b M.
+  Rows shifted(const double b) const
   {
-    Symmetric_sparse_matrix<double> result = m_matrix;
-    for (double& value : result.value)
-      value *= a;
-    for (int i = 0; i < result.size(); ++i)
-      result.value[result.column_begin[i]] += b * m_mass[i / 2];
+    Rows result = m_matrix;
+    for (std::size_t i = 0; i < m_mass.size(); ++i)
+      result.diagonal[i] += b * m_mass[i];
     return result;
   }
 
 private:
-  struct Entry {
-    int row, column; // of the lower triangle: row > column
-    Complex value;
-  };
-
   void number_free_vertices(const std::vector<int>& vertices, const std::vector<Complex>& fixed)
   {
     for (const int v : vertices)
@@ -81,7 +75,7 @@ private:
       m_index[m_vertices[i] - m_first] = static_cast<int>(i);
     m_mass.assign(m_vertices.size(), 0.);
     m_diagonal.assign(m_vertices.size(), 0.);
-    m_boundary_term.assign(2 * m_vertices.size(), 0.);
+    m_boundary_term.assign(m_vertices.size(), Complex(0));
   }
 
   void add_masses(const Vertex_frames& frames, const std::vector<int>& halfedges)
@@ -106,7 +100,7 @@ private:
   }
 
   void add_edge(const Vertex_frames& frames, const int h, const std::vector<Complex>& fixed,
-                std::vector<Entry>& entries)
+                std::vector<Rows::Lower_entry>& entries)
   {
     const Triangulation_connectivity& mesh = frames.m_mesh;
     double weight = 0;
@@ -139,60 +133,15 @@ private:
       add_boundary_term(j, weight * transport * fixed[v]);
   }
 
-  void add_boundary_term(const int i, const Complex value)
-  {
-    m_boundary_term[2 * i] += value.real();
-    m_boundary_term[2 * i + 1] += value.imag();
-  }
+  void add_boundary_term(const int i, const Complex value) { m_boundary_term[i] += value; }
 
-  // An entry a + b i stands for the rows (a, -b) and (b, a).
-  void assemble(std::vector<Entry>& entries)
-  {
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-      return a.column != b.column ? a.column < b.column : a.row < b.row;
-    });
-    std::size_t number_of_entries = 0; // an intrinsic triangulation may have several edges between two vertices
-    for (std::size_t k = 0; k < entries.size(); ++k) {
-      if (number_of_entries > 0 && entries[number_of_entries - 1].row == entries[k].row &&
-          entries[number_of_entries - 1].column == entries[k].column)
-        entries[number_of_entries - 1].value += entries[k].value;
-      else
-        entries[number_of_entries++] = entries[k];
-    }
-    entries.resize(number_of_entries);
-    const int n = static_cast<int>(m_vertices.size());
-    m_matrix.row.reserve(4 * number_of_entries + 2 * n);
-    m_matrix.value.reserve(4 * number_of_entries + 2 * n);
-    std::size_t begin = 0;
-    for (int column = 0; column < n; ++column) {
-      std::size_t end = begin;
-      while (end < entries.size() && entries[end].column == column)
-        ++end;
-      for (const int part : {0, 1}) {
-        append(2 * column + part, m_diagonal[column]);
-        for (std::size_t k = begin; k < end; ++k) {
-          const Complex value = entries[k].value;
-          append(2 * entries[k].row, part == 0 ? value.real() : -value.imag());
-          append(2 * entries[k].row + 1, part == 0 ? value.imag() : value.real());
-        }
-        m_matrix.column_begin.push_back(static_cast<int>(m_matrix.row.size()));
-      }
-      begin = end;
-    }
-  }
-
-  void append(const int row, const double value)
-  {
-    m_matrix.row.push_back(row);
-    m_matrix.value.push_back(value);
-  }
-
-  std::vector<int> m_vertices;     // free vertices
-  int m_first = 0;                 // the smallest vertex of the component
-  std::vector<int> m_index;        // per vertex from m_first on: its number among the free ones, or null
-  std::vector<double> m_mass, m_diagonal, m_boundary_term;
+  std::vector<int> m_vertices; // free vertices
+  int m_first = 0;             // the smallest vertex of the component
+  std::vector<int> m_index;    // per vertex from m_first on: its number among the free ones, or null
+  std::vector<double> m_mass, m_diagonal;
+  std::vector<Complex> m_boundary_term;
   double m_area = 0;
-  Symmetric_sparse_matrix<double> m_matrix;
+  Rows m_matrix;
 };
 
 } // namespace internal

@@ -5,12 +5,14 @@
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_SMOOTH_FIELD_COMPUTATION_H
 
 #include <CGAL/T_splines/Cross_field/internal/Connection_laplacian.h>
+#include <CGAL/T_splines/Cross_field/internal/Low_vertex_repair.h>
 #include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
 #include <CGAL/T_splines/Cross_field/internal/Vertex_frames.h>
 #include <CGAL/T_splines/Cross_field/internal/face_crosses.h>
 #include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
 #include <CGAL/T_splines/Cross_field/internal/principal_crosses.h>
-#include <CGAL/T_splines/Cross_field/internal/smallest_eigenvector.h>
+#include <CGAL/T_splines/Solver/internal/Multigrid.h>
+#include <CGAL/T_splines/Solver/internal/multigrid_iterations.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <algorithm>
@@ -34,18 +36,17 @@ struct Smooth_field_options {
 
 /// The computation behind `compute_smooth_cross_field()`, in index arrays. Fields are fourth powers, in the frames of vertices
 /// and faces.
-template <typename SolverTraits>
 class Smooth_field_computation {
   using Complex = std::complex<double>;
+  static constexpr int most_iterations = 200;
   static constexpr int null = Triangulation_connectivity::null;
 
 public:
   Smooth_field_computation(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry,
-                           const Smooth_field_options& options, SolverTraits& solver)
+                           const Smooth_field_options& options)
     : m_mesh(mesh),
       m_geometry(geometry),
       m_options(options),
-      m_solver(solver),
       m_frames(vertex_frames(mesh, geometry)),
       m_fixed(mesh.number_of_vertices()),
       m_field(mesh.number_of_vertices()),
@@ -63,9 +64,9 @@ public:
     make_delaunay(m_intrinsic);
   }
 
-  /// computes the field on all components. \return `false` if the solver fails.
+  /// computes the field on all components. \return `false` if the visitor asks to stop.
   template <typename Visitor>
-  bool compute(const Mesh_components& components, const Visitor& visitor, bool& is_interrupted)
+  bool compute(const Mesh_components& components, const Visitor& visitor)
   {
     std::vector<std::vector<int>> vertices(components.size()), halfedges(components.size()), faces(components.size());
     for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
@@ -76,14 +77,14 @@ public:
     for (int f = 0; f < m_mesh.number_of_faces(); ++f)
       faces[components.of_face[f]].push_back(f);
     for (int c = 0; c < components.size(); ++c) {
-      is_interrupted = !visitor.go_on();
-      if (is_interrupted)
-        return true;
-      visitor.progress(static_cast<double>(c) / components.size());
-      if (!compute_component(vertices[c], halfedges[c], faces[c]))
+      if (!visitor.go_on())
         return false;
+      visitor.progress(static_cast<double>(c) / components.size());
+      compute_component(vertices[c], halfedges[c], faces[c]);
     }
-    m_number_of_repaired = Low_vertex_repair(m_mesh, m_geometry, m_is_face_fixed, m_angle).repair();
+    Low_vertex_repair repair(m_mesh, m_geometry, m_is_face_fixed, m_angle);
+    m_number_of_repaired = repair.repair();
+    m_rotation = repair.rotations();
     for (int c = 0; c < components.size(); ++c)
       m_number_of_singularities += m_counter.count(faces[c], vertices[c], m_angle);
     visitor.progress(1.);
@@ -92,6 +93,8 @@ public:
 
   /// The angle of the cross in the frame of each face.
   const std::vector<double>& angles() const { return m_angle; }
+  /// The rotation of the cross across each edge, as `Low_vertex_repair` leaves it.
+  const std::vector<double>& rotations() const { return m_rotation; }
   int number_of_repaired_vertices() const { return m_number_of_repaired; }
   int number_of_singularities() const { return m_number_of_singularities; }
   double energy() const { return m_energy; }
@@ -141,123 +144,95 @@ private:
       return;
     m_is_face_fixed[f] = 1;
     m_face_direction[f] =
-      total == longest || agreed_direction(sum, total) == Complex(0) ? direction_of_longest : std::arg(sum) / 4;
+        total == longest || agreed_direction(sum, total) == Complex(0) ? direction_of_longest : std::arg(sum) / 4;
   }
 
-  bool factorize(const Connection_laplacian& laplacian, const double a, const double b, const bool is_first)
-  {
-    const Symmetric_sparse_matrix<double> matrix = laplacian.combination(a, b);
-    return (!is_first || m_solver.analyze_pattern(matrix)) && m_solver.factorize(matrix);
-  }
-
-  // A L + b M with the smallest b of a sequence for which the solver finds the matrix positive definite.
-  bool factorize_shifted(const Connection_laplacian& laplacian, double& shift)
-  {
-    constexpr int number_of_trials = 4;
-    for (int trial = 0; trial < number_of_trials; ++trial, shift *= 100)
-      if (factorize(laplacian, 1., shift, trial == 0))
-        return true;
-    return false;
-  }
-
-  bool compute_component(const std::vector<int>& vertices, const std::vector<int>& halfedges,
+  void compute_component(const std::vector<int>& vertices, const std::vector<int>& halfedges,
                          const std::vector<int>& faces)
   {
     const Connection_laplacian laplacian(m_intrinsic, vertices, halfedges, m_fixed);
     for (const int v : vertices)
       m_field[v] = m_fixed[v];
-    const bool is_guided = !m_guide.empty();
-    if (!laplacian.free_vertices().empty()) {
-      const bool has_fixed_vertices = laplacian.free_vertices().size() < vertices.size();
-      const bool success = is_guided || has_fixed_vertices ? solve_linear(laplacian, is_guided) : solve_eigen(laplacian);
-      if (!success)
-        return false;
-    }
     int fewest = -1;
+    if (laplacian.free_vertices().empty()) {
+      take_if_better(faces, vertices, fewest);
+      return;
+    }
+    const bool is_guided = !m_guide.empty();
+    const bool has_fixed_vertices = laplacian.free_vertices().size() < vertices.size();
+    const double alignment = is_guided ? m_options.curvature_alignment / laplacian.area() : 0.;
+    const double shift = (std::max)(alignment, (is_guided || has_fixed_vertices ? 1e-4 : 1e-2) / laplacian.area());
+    Multigrid<Complex> multigrid(laplacian.shifted(shift));
+    if (is_guided || has_fixed_vertices)
+      solve_linear(laplacian, alignment, multigrid);
+    else
+      solve_eigen(laplacian, shift, multigrid);
     take_if_better(faces, vertices, fewest);
-    if (!is_guided && !laplacian.free_vertices().empty() && m_options.diffusion_steps > 0) {
-      if (!diffuse(laplacian))
-        return false;
+    if (!is_guided && m_options.diffusion_steps > 0) {
+      diffuse(laplacian, shift, multigrid);
       take_if_better(faces, vertices, fewest);
     }
-    return true;
   }
 
   // The smoothest field: the eigenvector of the smallest eigenvalue of the Laplacian.
-  bool solve_eigen(const Connection_laplacian& laplacian)
+  void solve_eigen(const Connection_laplacian& laplacian, const double shift, Multigrid<Complex>& multigrid)
   {
-    constexpr int number_of_solves = 24;
-    const std::size_t n = laplacian.free_vertices().size();
-    double shift = 1e-2 / laplacian.area();
-    if (!factorize_shifted(laplacian, shift))
-      return false;
-    std::vector<double> mass(2 * n), x(2 * n);
-    std::mt19937 random(m_options.seed);
-    for (std::size_t i = 0; i < 2 * n; ++i) {
-      mass[i] = laplacian.masses()[i / 2];
-      x[i] = (static_cast<double>(random()) / 4294967296. - 0.5) * std::sqrt(mass[i]);
-    }
-    double eigenvalue = 0;
-    if (!smallest_eigenvector(m_solver, mass, number_of_solves, x, eigenvalue))
-      return false;
+    std::vector<Complex> x;
+    const double eigenvalue = smallest_eigenvector(multigrid, laplacian.masses(), m_options.seed, x);
     m_energy += (std::max)(0., eigenvalue - shift) * laplacian.area();
     store(laplacian, x);
-    return true;
   }
 
   // The smoothest field with given values, or the one that compromises with a guiding field.
-  bool solve_linear(const Connection_laplacian& laplacian, const bool is_guided)
+  void solve_linear(const Connection_laplacian& laplacian, const double alignment, Multigrid<Complex>& multigrid)
   {
     const std::vector<int>& vertices = laplacian.free_vertices();
-    double alignment = is_guided ? m_options.curvature_alignment / laplacian.area() : 0.;
-    std::vector<double> right_hand_side = laplacian.boundary_term(), x;
-    if (is_guided) {
+    std::vector<Complex> right_hand_side = laplacian.boundary_term(), x(vertices.size());
+    if (alignment > 0) {
       double norm = 0;
       for (std::size_t i = 0; i < vertices.size(); ++i)
         norm += laplacian.masses()[i] * std::norm(m_guide[vertices[i]]);
       norm = std::sqrt(norm / laplacian.area());
-      for (std::size_t i = 0; i < vertices.size() && norm > 0; ++i) {
-        const Complex guide = m_guide[vertices[i]] * (alignment * laplacian.masses()[i] / norm);
-        right_hand_side[2 * i] += guide.real();
-        right_hand_side[2 * i + 1] += guide.imag();
-      }
+      for (std::size_t i = 0; i < vertices.size() && norm > 0; ++i)
+        right_hand_side[i] += m_guide[vertices[i]] * (alignment * laplacian.masses()[i] / norm);
     }
-    double shift = (std::max)(alignment, 1e-4 / laplacian.area());
-    if (!factorize_shifted(laplacian, shift) || !m_solver.solve(right_hand_side, x))
-      return false;
+    const std::vector<double> none(vertices.size(), 0.);
+    solve_with_multigrid(multigrid, 1., none, right_hand_side, x, 1e-8, most_iterations);
     store(laplacian, x);
-    return true;
   }
 
   // Diffusion and projection to unit length by turns (Viertel and Osting, An approach to quad meshing based on harmonic
   // cross-valued maps and the Ginzburg-Landau theory, 2019): from the shortest energy in the mean to crosses of unit
   // length, of which pairs of singularities that are close to each other vanish.
-  bool diffuse(const Connection_laplacian& laplacian)
+  void diffuse(const Connection_laplacian& laplacian, const double shift, Multigrid<Complex>& multigrid)
   {
+    constexpr double tolerance = 1e-3, last_tolerance = 1e-4;
     const std::vector<int>& vertices = laplacian.free_vertices();
     const double time = 1e-2 * laplacian.area();
-    std::vector<double> right_hand_side(2 * vertices.size()), x;
-    if (!factorize(laplacian, time, 1., false))
-      return false;
+    std::vector<double> mass = laplacian.masses();
+    for (double& m : mass)
+      m *= 1 - time * shift;
+    std::vector<Complex> right_hand_side(vertices.size()), x(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      x[i] = m_field[vertices[i]];
     for (int step = 0; step < m_options.diffusion_steps; ++step) {
       for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const Complex value = m_field[vertices[i]];
-        const double length = std::abs(value);
-        const Complex unit = length > 0 ? value / length : Complex(0);
-        right_hand_side[2 * i] = laplacian.masses()[i] * unit.real() + time * laplacian.boundary_term()[2 * i];
-        right_hand_side[2 * i + 1] = laplacian.masses()[i] * unit.imag() + time * laplacian.boundary_term()[2 * i + 1];
+        const double length = magnitude(x[i]);
+        const Complex unit = length > 0 ? x[i] / length : Complex(0);
+        right_hand_side[i] = laplacian.masses()[i] * unit + time * laplacian.boundary_term()[i];
+        if (step == 0)
+          x[i] = unit / 2.;
       }
-      if (!m_solver.solve(right_hand_side, x))
-        return false;
-      store(laplacian, x);
+      solve_with_multigrid(multigrid, time, mass, right_hand_side, x,
+                           step + 1 < m_options.diffusion_steps ? tolerance : last_tolerance, most_iterations);
     }
-    return true;
+    store(laplacian, x);
   }
 
-  void store(const Connection_laplacian& laplacian, const std::vector<double>& x)
+  void store(const Connection_laplacian& laplacian, const std::vector<Complex>& x)
   {
     for (std::size_t i = 0; i < laplacian.free_vertices().size(); ++i)
-      m_field[laplacian.free_vertices()[i]] = Complex(x[2 * i], x[2 * i + 1]);
+      m_field[laplacian.free_vertices()[i]] = x[i];
   }
 
   // Carries the field over to the faces of a component, in two ways; takes the one with the fewest singularities if they
@@ -267,8 +242,8 @@ private:
     for (const bool is_normalized : {false, true}) {
       for (const int f : faces)
         m_trial_angle[f] = m_is_face_fixed[f]
-                             ? m_face_direction[f]
-                             : std::arg(value_in_face(m_mesh, m_geometry, m_frames, m_field, f, is_normalized)) / 4;
+                               ? m_face_direction[f]
+                               : std::arg(value_in_face(m_mesh, m_geometry, m_frames, m_field, f, is_normalized)) / 4;
       const int number = m_counter.count(faces, vertices, m_trial_angle);
       if (fewest >= 0 && number >= fewest)
         continue;
@@ -281,15 +256,15 @@ private:
   const Triangulation_connectivity& m_mesh;
   const Triangle_geometry& m_geometry;
   const Smooth_field_options& m_options;
-  SolverTraits& m_solver;
   Vertex_frames m_frames, m_intrinsic;
-  std::vector<Complex> m_fixed;         // per vertex: its given value, or 0
-  std::vector<Complex> m_guide;         // per vertex: the principal cross; empty if there is no alignment
-  std::vector<Complex> m_field;         // per vertex
+  std::vector<Complex> m_fixed; // per vertex: its given value, or 0
+  std::vector<Complex> m_guide; // per vertex: the principal cross; empty if there is no alignment
+  std::vector<Complex> m_field; // per vertex
   std::vector<char> m_is_face_fixed;
   std::vector<double> m_face_direction; // per fixed face
   std::vector<double> m_angle;          // per face: the result
   std::vector<double> m_trial_angle;    // per face
+  std::vector<double> m_rotation;       // per edge
   Singularity_counter m_counter;
   double m_energy = 0;
   int m_number_of_repaired = 0;
