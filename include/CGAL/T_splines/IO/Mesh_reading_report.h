@@ -42,10 +42,12 @@ inline const char* message(const Mesh_reading_status status)
   switch (status) {
   case Mesh_reading_status::SUCCESS: return "the mesh was read";
   case Mesh_reading_status::CANNOT_OPEN: return "the file cannot be opened for reading";
-  case Mesh_reading_status::UNKNOWN_FORMAT: return "the file format is not known; meshes are read from .off, .obj, .ply and .stl";
+  case Mesh_reading_status::UNKNOWN_FORMAT:
+    return "the file format is not known; meshes are read from .off, .obj, .ply and .stl";
   case Mesh_reading_status::UNSUPPORTED_VARIANT: return "this variant of the file format is not supported";
   case Mesh_reading_status::EMPTY: return "the file has no faces";
-  case Mesh_reading_status::TRUNCATED: return "the file is truncated: it ends before everything that it announces has come";
+  case Mesh_reading_status::TRUNCATED:
+    return "the file is truncated: it ends before everything that it announces has come";
   case Mesh_reading_status::SYNTAX_ERROR: return "the file does not follow its format here";
   case Mesh_reading_status::NON_FINITE_COORDINATE: return "a coordinate is not a finite number";
   case Mesh_reading_status::INDEX_OUT_OF_RANGE: return "an index is out of range: the file has no such element";
@@ -83,11 +85,12 @@ struct Mesh_reading_report {
   std::string text;                ///< what stands in the file at this place
   std::string detail;              ///< what the format asks for at this place, where that is not clear from the status
 
-  std::size_t number_of_vertices = 0;          ///< of the file (STL: after merging)
-  std::size_t number_of_faces = 0;             ///< of the file
+  std::size_t number_of_vertices = 0;           ///< of the file (STL: after merging)
+  std::size_t number_of_faces = 0;              ///< of the file
   std::size_t number_of_triangulated_faces = 0; ///< faces with more than three corners
   std::size_t first_triangulated_face = none;
-  std::size_t number_of_merged_points = 0;     ///< STL: corners whose point had occurred before
+  std::size_t number_of_merged_points = 0;  ///< STL: corners whose point had occurred before
+  std::size_t number_of_trailing_bytes = 0; ///< binary STL: bytes behind the last facet, which were not read
 
   bool success() const { return status == Mesh_reading_status::SUCCESS; }
 };
@@ -134,12 +137,16 @@ inline std::string note(const Mesh_reading_report& report)
 {
   std::string sentence;
   if (report.number_of_triangulated_faces > 0)
-    sentence += std::to_string(report.number_of_triangulated_faces) + " of " + std::to_string(report.number_of_faces)
-      + " faces are not triangles and were triangulated (the first is face "
-      + std::to_string(report.first_triangulated_face) + ", counted from 0)";
+    sentence += std::to_string(report.number_of_triangulated_faces) + " of " + std::to_string(report.number_of_faces) +
+                " faces are not triangles and were triangulated (the first is face " +
+                std::to_string(report.first_triangulated_face) + ", counted from 0)";
   if (report.number_of_merged_points > 0)
-    sentence += (sentence.empty() ? "" : "; ") + std::to_string(report.number_of_merged_points)
-      + " corners with identical coordinates were merged into " + std::to_string(report.number_of_vertices) + " vertices";
+    sentence += (sentence.empty() ? "" : "; ") + std::to_string(report.number_of_merged_points) +
+                " corners with identical coordinates were merged into " + std::to_string(report.number_of_vertices) +
+                " vertices";
+  if (report.number_of_trailing_bytes > 0)
+    sentence += (sentence.empty() ? "" : "; ") + std::to_string(report.number_of_trailing_bytes) +
+                " bytes behind the last facet were not read";
   return sentence;
 }
 

@@ -17,13 +17,14 @@ namespace internal {
 /// What stands in a mesh file, in the order of the file: points, and polygons as lists of point indices.
 struct Polygon_soup {
   std::vector<std::array<double, 3>> points;
-  std::vector<std::size_t> point_lines;          ///< per point: its line; empty if the file is binary
-  std::vector<std::size_t> corners;              ///< the point indices of all polygons, one polygon after the other
-  std::vector<std::size_t> first_corner = {0};   ///< per polygon: where it begins in `corners`, and the end
-  std::vector<std::size_t> polygon_lines;        ///< per polygon: its line; empty if the file is binary
-  std::vector<std::array<double, 2>> uvs;        ///< texture coordinates (OBJ)
-  std::vector<std::size_t> uv_corners;           ///< per corner: index into `uvs`, or `no_uv`; empty if not OBJ
-  std::size_t number_of_merged_points = 0;       ///< STL
+  std::vector<std::size_t> point_lines;        ///< per point: its line; empty if the file is binary
+  std::vector<std::size_t> corners;            ///< the point indices of all polygons, one polygon after the other
+  std::vector<std::size_t> first_corner = {0}; ///< per polygon: where it begins in `corners`, and the end
+  std::vector<std::size_t> polygon_lines;      ///< per polygon: its line; empty if the file is binary
+  std::vector<std::array<double, 2>> uvs;      ///< texture coordinates (OBJ)
+  std::vector<std::size_t> uv_corners;         ///< per corner: index into `uvs`, or `no_uv`; empty if not OBJ
+  std::size_t number_of_merged_points = 0;     ///< STL
+  std::size_t number_of_trailing_bytes = 0;    ///< binary STL: behind the last facet
 
   static constexpr std::size_t no_uv = static_cast<std::size_t>(-1);
 

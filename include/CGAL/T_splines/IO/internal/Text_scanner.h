@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/IO/Mesh_reading_report.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -23,7 +24,14 @@ namespace internal {
 /// Comments run from `#` to the end of the line. Lines end with LF, CR LF or CR. It copies nothing.
 class Text_scanner {
 public:
-  explicit Text_scanner(const std::string_view text) : m_rest(text) {}
+  /// Whether a backslash at the end of a line continues it on the next one.
+  enum class Backslash { IS_TEXT, CONTINUES_LINE };
+
+  explicit Text_scanner(const std::string_view text, const Backslash backslash = Backslash::IS_TEXT)
+    : m_rest(text),
+      m_has_continued_lines(backslash == Backslash::CONTINUES_LINE)
+  {
+  }
 
   /// moves to the next line that has a token; returns `false` at the end of the text.
   bool next_line()
@@ -41,24 +49,41 @@ public:
   bool next_token(std::string_view& token)
   {
     skip_blanks();
+    while (m_has_continued_lines && m_line_rest == "\\" && !m_rest.empty()) {
+      take_line();
+      skip_blanks();
+    }
     if (m_line_rest.empty())
       return false;
     std::size_t length = 0;
     while (length < m_line_rest.size() && !is_blank(m_line_rest[length]))
       ++length;
     token = m_line_rest.substr(0, length);
-    m_line_rest.remove_prefix(length);
+    if (m_has_continued_lines && length > 1 && token.back() == '\\' && length == m_line_rest.size())
+      token.remove_suffix(1);
+    m_line_rest.remove_prefix(token.size());
     return true;
   }
 
-  /// continues this line with the next one (for formats in which a backslash does so).
-  bool join_next_line()
+  /// The next token of this line or, if it has none, of the lines that follow; `false` at the end of the text.
+  bool next_token_over_lines(std::string_view& token)
   {
-    if (m_rest.empty())
-      return false;
-    take_line();
-    return true;
+    return next_token(token) || (next_line() && next_token(token));
   }
+
+  /// passes over what is left of this line.
+  void skip_rest_of_line() { m_line_rest = {}; }
+
+  /// Whether this line has another token.
+  bool has_token() const
+  {
+    Text_scanner copy(*this);
+    std::string_view token;
+    return copy.next_token(token);
+  }
+
+  /// What follows this line, line feed excluded.
+  std::string_view text_after_line() const { return m_rest; }
 
   /// counts the tokens of this line from here on.
   std::size_t count_tokens() const
@@ -100,11 +125,34 @@ private:
     else
       m_rest.remove_prefix(end + (m_rest.substr(end, 2) == "\r\n" ? 2 : 1));
     m_line_rest = m_line_rest.substr(0, m_line_rest.find('#'));
+    while (!m_line_rest.empty() && is_blank(m_line_rest.back()))
+      m_line_rest.remove_suffix(1);
   }
 
   std::string_view m_rest, m_line_rest;
   std::size_t m_line = 0;
+  bool m_has_continued_lines;
 };
+
+/// Whether a token is a keyword, given in lower case, in upper or lower case.
+inline bool is_keyword(const std::string_view token, const std::string_view keyword)
+{
+  const auto equals = [](const char a, const char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
+  return std::equal(token.begin(), token.end(), keyword.begin(), keyword.end(), equals);
+}
+
+/// A text without the mark of UTF-8 with which some editors begin it.
+inline std::string_view without_byte_order_mark(const std::string_view text)
+{
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return text.substr(text.substr(0, mark.size()) == mark ? mark.size() : 0);
+}
+
+/// Whether a text begins with the mark of UTF-16.
+inline bool has_mark_of_utf_16(const std::string_view text)
+{
+  return text.substr(0, 2) == "\xFF\xFE" || text.substr(0, 2) == "\xFE\xFF";
+}
 
 /// A whole token as integer. \return `false` if it is not one or exceeds the range of the type.
 template <typename Integer>
@@ -144,7 +192,8 @@ inline Mesh_reading_report report_at(const Text_scanner& scanner, const Mesh_rea
 }
 
 /// A report about this line that says what is wrong with it.
-inline Mesh_reading_report report_syntax(const Text_scanner& scanner, const char* detail, const std::string_view text = {})
+inline Mesh_reading_report report_syntax(const Text_scanner& scanner, const char* detail,
+                                         const std::string_view text = {})
 {
   Mesh_reading_report report = report_at(scanner, Mesh_reading_status::SYNTAX_ERROR, text);
   report.detail = detail;
@@ -157,6 +206,9 @@ inline Mesh_reading_report report_missing_token(const Text_scanner& scanner, con
   return scanner.is_last_line() ? report_at(scanner, Mesh_reading_status::TRUNCATED) : report_syntax(scanner, detail);
 }
 
+/// What `read_coordinates()` says if there are too few.
+constexpr const char* missing_coordinate = "a coordinate is missing";
+
 /// Reads the coordinates `first` ... `last` from the tokens of this line.
 template <typename Iterator>
 Mesh_reading_report read_coordinates(Text_scanner& scanner, const Iterator first, const Iterator last)
@@ -164,7 +216,7 @@ Mesh_reading_report read_coordinates(Text_scanner& scanner, const Iterator first
   std::string_view token;
   for (Iterator position = first; position != last; ++position) {
     if (!scanner.next_token(token))
-      return report_missing_token(scanner, "a coordinate is missing");
+      return report_missing_token(scanner, missing_coordinate);
     const Mesh_reading_status status = parse_coordinate(token, *position);
     if (status != Mesh_reading_status::SUCCESS)
       return report_at(scanner, status, token);

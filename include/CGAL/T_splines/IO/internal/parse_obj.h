@@ -24,7 +24,11 @@ namespace internal {
 /// further down; they are checked when the file has been read.
 class Obj_parser {
 public:
-  Obj_parser(const std::string_view text, Polygon_soup& soup) : m_scanner(text), m_soup(soup) {}
+  Obj_parser(const std::string_view text, Polygon_soup& soup)
+    : m_scanner(text, Text_scanner::Backslash::CONTINUES_LINE),
+      m_soup(soup)
+  {
+  }
 
   Mesh_reading_report parse()
   {
@@ -32,11 +36,11 @@ public:
     while (report.success() && m_scanner.next_line()) {
       std::string_view keyword;
       m_scanner.next_token(keyword);
-      if (keyword == "v")
+      if (is_keyword(keyword, "v"))
         report = parse_vertex();
-      else if (keyword == "vt")
+      else if (is_keyword(keyword, "vt"))
         report = parse_uv();
-      else if (keyword == "f")
+      else if (is_keyword(keyword, "f"))
         report = parse_face();
       else if (!skip_statement(keyword))
         report = report_syntax(m_scanner, "a statement is expected here", keyword);
@@ -49,22 +53,11 @@ private:
   bool skip_statement(const std::string_view keyword)
   {
     std::string_view token;
-    while (next_token(token)) {}
-    return std::all_of(keyword.begin(), keyword.end(),
-                       [](const char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; })
-           && std::isalpha(static_cast<unsigned char>(keyword.front()));
-  }
-
-  /// The next token of the statement, which a backslash continues on the next line.
-  bool next_token(std::string_view& token)
-  {
     while (m_scanner.next_token(token)) {
-      if (token != "\\")
-        return true;
-      if (!m_scanner.join_next_line())
-        return false;
     }
-    return false;
+    return std::all_of(keyword.begin(), keyword.end(),
+                       [](const char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }) &&
+           std::isalpha(static_cast<unsigned char>(keyword.front()));
   }
 
   Mesh_reading_report parse_vertex()
@@ -102,7 +95,7 @@ private:
   {
     std::string_view token;
     const std::size_t line = m_scanner.line();
-    while (next_token(token)) {
+    while (m_scanner.next_token(token)) {
       const std::size_t slash = token.find('/');
       std::size_t v = 0, uv = Polygon_soup::no_uv;
       bool valid = resolve(token.substr(0, slash), m_soup.points.size(), v);
@@ -126,7 +119,7 @@ private:
   {
     const bool is_number = token.find_first_not_of("+-/0123456789") == std::string_view::npos;
     Mesh_reading_report report = report_at(
-      m_scanner, is_number ? Mesh_reading_status::INDEX_OUT_OF_RANGE : Mesh_reading_status::SYNTAX_ERROR, token);
+        m_scanner, is_number ? Mesh_reading_status::INDEX_OUT_OF_RANGE : Mesh_reading_status::SYNTAX_ERROR, token);
     report.face = m_soup.number_of_polygons();
     return report;
   }

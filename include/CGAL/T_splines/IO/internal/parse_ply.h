@@ -60,14 +60,19 @@ inline std::size_t size_of(const Ply_type type)
 class Ply_parser {
 public:
   Ply_parser(const std::string_view data, Polygon_soup& soup)
-    : m_data(data), m_text(data), m_bytes(data, Byte_order::LITTLE), m_soup(soup)
-  {}
+    : m_data(data),
+      m_text(data),
+      m_bytes(data, Byte_order::LITTLE),
+      m_soup(soup)
+  {
+  }
 
   Mesh_reading_report parse()
   {
     Mesh_reading_report report = parse_header();
     if (report.success() && !has_points_and_faces())
-      report = report_syntax(m_text, "element vertex with x, y, z and element face with list vertex_indices are needed");
+      report =
+          report_syntax(m_text, "element vertex with x, y, z and element face with list vertex_indices are needed");
     for (const Ply_element& element : m_elements)
       for (std::size_t i = 0; report.success() && !element.properties.empty() && i < element.count; ++i)
         report = parse_row(element, i);
@@ -83,29 +88,25 @@ public:
 private:
   Mesh_reading_report parse_header()
   {
-    // a comment in a header need not be told by '#', and binary data must not be scanned: cut the header off first
-    constexpr std::string_view last_keyword = "end_header";
-    const std::size_t end = m_data.find(last_keyword);
-    if (m_data.substr(0, 3) != "ply" || end == std::string_view::npos) {
-      m_text.next_line();
-      const bool is_cut = m_data.substr(0, 3) == "ply";
-      return report_at(m_text, is_cut ? Mesh_reading_status::TRUNCATED
-                                      : (m_data.empty() ? Mesh_reading_status::EMPTY : Mesh_reading_status::SYNTAX_ERROR));
-    }
-    Mesh_reading_report report;
+    constexpr std::string_view first_keyword = "ply", last_keyword = "end_header";
     std::string_view keyword;
-    m_text.next_line();
+    if (!m_text.next_line())
+      return report_at(m_text, Mesh_reading_status::EMPTY);
+    m_text.next_token(keyword);
+    if (!is_keyword(keyword, first_keyword))
+      return report_syntax(m_text, "the keyword ply is expected here", keyword);
+    if (m_data.find(last_keyword) == std::string_view::npos) // so that binary data is not scanned
+      return report_at(m_text, Mesh_reading_status::TRUNCATED);
+    Mesh_reading_report report;
     while (report.success() && m_text.next_line()) {
       m_text.next_token(keyword);
-      if (keyword == last_keyword)
-        break;
+      if (keyword == last_keyword) {
+        m_bytes = Binary_scanner(m_text.text_after_line(), m_order);
+        return report;
+      }
       report = parse_header_line(keyword);
     }
-    if (report.success() && !m_is_ascii) {
-      const std::size_t line_end = m_data.find('\n', end);
-      m_bytes = Binary_scanner(line_end == std::string_view::npos ? std::string_view() : m_data.substr(line_end + 1), m_order);
-    }
-    return report;
+    return report.success() ? report_at(m_text, Mesh_reading_status::TRUNCATED) : report;
   }
 
   Mesh_reading_report parse_header_line(const std::string_view keyword)
@@ -160,38 +161,54 @@ private:
 
   static bool is_corner_list(const Ply_element& element, const Ply_property& property)
   {
-    return element.name == "face" && property.size_type != Ply_type::NONE
-           && (property.name == "vertex_indices" || property.name == "vertex_index");
+    return element.name == "face" && property.size_type != Ply_type::NONE &&
+           (property.name == "vertex_indices" || property.name == "vertex_index");
   }
 
+  /// A row of text begins on a line of its own; it may go on over several lines, and nothing follows it there.
   Mesh_reading_report parse_row(const Ply_element& element, const std::size_t row)
   {
     Mesh_reading_report report;
     std::array<double, 3> point = {0, 0, 0};
-    if (m_is_ascii && !element.properties.empty() && !m_text.next_line())
+    if (m_is_ascii && !m_text.next_line())
       return report_at(m_text, Mesh_reading_status::TRUNCATED);
+    m_line_of_row = m_text.line();
     for (const Ply_property& property : element.properties) {
-      double value = 1;
-      if (property.size_type != Ply_type::NONE)
-        report = read_number(property.size_type, value);
-      if (report.success() && !is_index(value))
-        report = report_here(Mesh_reading_status::SYNTAX_ERROR);
-      const std::size_t coordinate = coordinate_index(element, property);
-      const bool is_corner = is_corner_list(element, property);
-      for (std::size_t i = 0, n = static_cast<std::size_t>(report.success() ? value : 0); report.success() && i < n; ++i) {
-        report = read_number(property.type, value);
-        if (report.success() && coordinate < 3)
-          report = take_coordinate(value, point[coordinate]);
-        if (report.success() && is_corner)
-          report = take_corner(value);
-      }
+      report = parse_property(element, property, point);
       if (!report.success())
         return name_row(element, row, report);
     }
     std::string_view token;
+    if (m_is_ascii && m_text.line() != m_line_of_row && m_text.has_token()) {
+      report = report_syntax(m_text, "a number is missing");
+      report.line = m_line_of_row;
+      return name_row(element, row, report);
+    }
     if (m_is_ascii && m_text.next_token(token))
       return name_row(element, row, report_at(m_text, Mesh_reading_status::SYNTAX_ERROR, token));
     end_row(element, point);
+    return report;
+  }
+
+  Mesh_reading_report parse_property(const Ply_element& element, const Ply_property& property,
+                                     std::array<double, 3>& point)
+  {
+    double value = 1;
+    Mesh_reading_report report;
+    if (property.size_type != Ply_type::NONE)
+      report = read_number(property.size_type, value);
+    if (report.success() && !is_index(value))
+      report = report_here(Mesh_reading_status::SYNTAX_ERROR);
+    const std::size_t coordinate = coordinate_index(element, property);
+    const bool is_corner = is_corner_list(element, property);
+    const std::size_t n = report.success() ? static_cast<std::size_t>(value) : 0;
+    for (std::size_t i = 0; report.success() && i < n; ++i) {
+      report = read_number(property.type, value);
+      if (report.success() && coordinate < 3)
+        report = take_coordinate(value, point[coordinate]);
+      if (report.success() && is_corner)
+        report = take_corner(value);
+    }
     return report;
   }
 
@@ -216,12 +233,12 @@ private:
     if (element.name == "vertex") {
       m_soup.points.push_back(point);
       if (m_is_ascii)
-        m_soup.point_lines.push_back(m_text.line());
+        m_soup.point_lines.push_back(m_line_of_row);
     }
     else if (element.name == "face") {
       m_soup.end_polygon();
       if (m_is_ascii)
-        m_soup.polygon_lines.push_back(m_text.line());
+        m_soup.polygon_lines.push_back(m_line_of_row);
     }
   }
 
@@ -247,8 +264,8 @@ private:
   {
     if (m_is_ascii) {
       std::string_view token;
-      if (!m_text.next_token(token))
-        return report_missing_token(m_text, "a number is missing");
+      if (!m_text.next_token_over_lines(token))
+        return report_at(m_text, Mesh_reading_status::TRUNCATED);
       const bool is_number = parse_coordinate(token, value) != Mesh_reading_status::SYNTAX_ERROR;
       return is_number ? Mesh_reading_report() : report_at(m_text, Mesh_reading_status::SYNTAX_ERROR, token);
     }
@@ -295,6 +312,7 @@ private:
   Polygon_soup& m_soup;
   std::vector<Ply_element> m_elements;
   bool m_is_ascii = true;
+  std::size_t m_line_of_row = 0;
   Byte_order m_order = Byte_order::LITTLE;
 };
 

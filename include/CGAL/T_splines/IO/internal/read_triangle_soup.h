@@ -56,8 +56,14 @@ inline Mesh_reading_report parse_mesh_file(const std::string& filename, Polygon_
     report.status = Mesh_reading_status::CANNOT_OPEN;
   else if (content.find_first_not_of(" \t\r\n") == std::string::npos)
     report.status = Mesh_reading_status::EMPTY;
+  else if (extension == ".stl") // binary or text
+    report = parse_stl(content, soup);
+  else if (has_mark_of_utf_16(content)) {
+    report.status = Mesh_reading_status::UNSUPPORTED_VARIANT;
+    report.text = "UTF-16";
+  }
   else
-    report = parser(content, soup);
+    report = parser(without_byte_order_mark(content), soup);
   return report;
 }
 
@@ -67,6 +73,7 @@ inline void count_elements(const Polygon_soup& soup, Mesh_reading_report& report
   report.number_of_vertices = soup.points.size();
   report.number_of_faces = soup.number_of_polygons();
   report.number_of_merged_points = soup.number_of_merged_points;
+  report.number_of_trailing_bytes = soup.number_of_trailing_bytes;
   for (std::size_t f = soup.number_of_polygons(); f-- > 0;)
     if (soup.size_of_polygon(f) != 3) {
       ++report.number_of_triangulated_faces;
