@@ -5,6 +5,8 @@
 #define CGAL_T_SPLINES_IO_MESH_READING_REPORT_H
 
 #include <cstddef>
+#include <optional>
+#include <sstream>
 #include <string>
 
 namespace CGAL {
@@ -69,6 +71,22 @@ inline const char* message(const Mesh_reading_status status)
   return "";
 }
 
+/// The default distance up to which ends of boundary edges are taken for the same point, relative to the longest side of
+/// the bounding box: eight units in the last place of a coordinate of that size in a file with `float` numbers, and far
+/// below what the tolerance of a surface is.
+constexpr double default_merge_distance = 1e-6;
+
+/// What a repair changed.
+struct Mesh_repairs {
+  std::size_t degenerate_faces = 0;  ///< with less than three different corners: removed
+  std::size_t shortened_faces = 0;   ///< others with repeated corners, which were removed
+  std::size_t duplicate_faces = 0;   ///< removed
+  std::size_t reversed_faces = 0;    ///< turned around
+  std::size_t split_vertices = 0;    ///< new vertices, where several sheets met
+  std::size_t isolated_vertices = 0; ///< removed
+  std::size_t flat_triangles = 0;    ///< of area exactly zero: removed by flips and collapses of edges
+};
+
 /// How the reading of a mesh file ended, and which element of the file it is about.
 ///
 /// All elements are counted from 0 in the order of the file (those of an OBJ file too), only lines from 1.
@@ -89,8 +107,17 @@ struct Mesh_reading_report {
   std::size_t number_of_faces = 0;              ///< of the file
   std::size_t number_of_triangulated_faces = 0; ///< faces with more than three corners
   std::size_t first_triangulated_face = none;
-  std::size_t number_of_merged_points = 0;  ///< STL: corners whose point had occurred before
+  std::size_t number_of_merged_points = 0;   ///< STL: corners whose point had occurred before
+  std::size_t number_of_merged_vertices = 0; ///< that differed by no more than a `merge_distance` from others
+  double merged_distance =
+      0; ///< between a vertex and the one it was merged into, at most; by the longest side of the box
+  Mesh_repairs repairs;
   std::size_t number_of_trailing_bytes = 0; ///< binary STL: bytes behind the last facet, which were not read
+
+  // What the reader found out about a mesh that it refused.
+  std::size_t number_of_boundary_edges = 0, number_of_boundary_loops = 0; ///< with the status `BOUNDARY`
+  std::optional<double> closing_distance; ///< a `merge_distance` with which the mesh would have been accepted
+  bool is_repairable = false;             ///< it would have been accepted with `repair(true)`
 
   bool success() const { return status == Mesh_reading_status::SUCCESS; }
 };
@@ -113,6 +140,62 @@ inline std::string elements_of(const Mesh_reading_report& report)
   return list.empty() ? list : list + ", counted from 0";
 }
 
+/// A length relative to the longest side of the bounding box, in words.
+inline std::string relative_length(const double length)
+{
+  std::ostringstream text;
+  text.precision(2);
+  text << length << " of the longest side";
+  return text.str();
+}
+
+/// A number of things, in words.
+inline std::string counted(const std::size_t number, const char* one, const char* many)
+{
+  return std::to_string(number) + " " + (number == 1 ? one : many);
+}
+
+/// What is known of a boundary.
+inline std::string boundary_of(const Mesh_reading_report& report)
+{
+  std::string sentence = counted(report.number_of_boundary_edges, "boundary edge", "boundary edges") + " in " +
+                         counted(report.number_of_boundary_loops, "loop", "loops");
+  if (report.closing_distance && *report.closing_distance > 0)
+    sentence += ", whose ends lie within " + relative_length(*report.closing_distance) + " of another boundary edge";
+  else if (report.closing_distance)
+    sentence += ", whose ends coincide with those of another boundary edge";
+  return sentence;
+}
+
+/// What merging changed.
+inline std::string merging_of(const Mesh_reading_report& report)
+{
+  if (report.number_of_merged_vertices == 0)
+    return "";
+  const std::string subject = counted(report.number_of_merged_vertices, "vertex was merged into another one",
+                                      "vertices were merged into others");
+  return subject + (report.merged_distance > 0 ? ", at most " + relative_length(report.merged_distance) + " apart"
+                                               : " at the same place");
+}
+
+/// What a repair changed, in words; empty if nothing.
+inline std::string repairs_of(const Mesh_repairs& repairs)
+{
+  std::string list;
+  const auto append = [&list](const std::size_t number, const char* one, const char* many) {
+    if (number > 0)
+      list += (list.empty() ? "repaired: " : ", ") + counted(number, one, many);
+  };
+  append(repairs.degenerate_faces, "degenerate face removed", "degenerate faces removed");
+  append(repairs.shortened_faces, "face freed of repeated corners", "faces freed of repeated corners");
+  append(repairs.duplicate_faces, "duplicate face removed", "duplicate faces removed");
+  append(repairs.reversed_faces, "face turned around", "faces turned around");
+  append(repairs.split_vertices, "vertex split off", "vertices split off");
+  append(repairs.isolated_vertices, "isolated vertex removed", "isolated vertices removed");
+  append(repairs.flat_triangles, "flat triangle removed", "flat triangles removed");
+  return list;
+}
+
 } // namespace internal
 
 /// returns a sentence that says how the reading ended and names the line and the elements it is about.
@@ -129,6 +212,8 @@ inline std::string describe(const Mesh_reading_report& report)
     sentence += ": " + report.detail;
   if (!report.text.empty())
     sentence += (report.detail.empty() ? ": found \"" : ", found \"") + report.text + "\"";
+  if (report.number_of_boundary_edges > 0)
+    sentence += ": " + internal::boundary_of(report);
   return sentence;
 }
 
@@ -136,17 +221,21 @@ inline std::string describe(const Mesh_reading_report& report)
 inline std::string note(const Mesh_reading_report& report)
 {
   std::string sentence;
+  const auto append = [&sentence](const std::string& text) {
+    if (!text.empty())
+      sentence += (sentence.empty() ? "" : "; ") + text;
+  };
   if (report.number_of_triangulated_faces > 0)
-    sentence += std::to_string(report.number_of_triangulated_faces) + " of " + std::to_string(report.number_of_faces) +
-                " faces are not triangles and were triangulated (the first is face " +
-                std::to_string(report.first_triangulated_face) + ", counted from 0)";
+    append(std::to_string(report.number_of_triangulated_faces) + " of " + std::to_string(report.number_of_faces) +
+           " faces are not triangles and were triangulated (the first is face " +
+           std::to_string(report.first_triangulated_face) + ", counted from 0)");
   if (report.number_of_merged_points > 0)
-    sentence += (sentence.empty() ? "" : "; ") + std::to_string(report.number_of_merged_points) +
-                " corners with identical coordinates were merged into " + std::to_string(report.number_of_vertices) +
-                " vertices";
+    append(std::to_string(report.number_of_merged_points) + " corners with identical coordinates were merged into " +
+           std::to_string(report.number_of_vertices) + " vertices");
+  append(internal::merging_of(report));
+  append(internal::repairs_of(report.repairs));
   if (report.number_of_trailing_bytes > 0)
-    sentence += (sentence.empty() ? "" : "; ") + std::to_string(report.number_of_trailing_bytes) +
-                " bytes behind the last facet were not read";
+    append(std::to_string(report.number_of_trailing_bytes) + " bytes behind the last facet were not read");
   return sentence;
 }
 

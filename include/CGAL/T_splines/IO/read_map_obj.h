@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_IO_READ_MAP_OBJ_H
 
 #include <CGAL/T_splines/IO/Mesh_reading_report.h>
+#include <CGAL/T_splines/IO/internal/build_triangle_mesh.h>
 #include <CGAL/T_splines/IO/internal/read_triangle_soup.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/named_parameters.h>
@@ -41,8 +42,8 @@ inline Mesh_reading_report check_uv_of_corners(const Polygon_soup& soup)
 
 /// Copies the texture coordinates of the corners to the halfedges that point to them. \pre The mesh was built from the triangles alone.
 template <typename FaceGraph, typename HalfedgeUVMap>
-void put_uv_of_corners(const Polygon_soup& soup, const Triangle_soup& triangles, const Mesh_indexing<FaceGraph>& indexing,
-                       const HalfedgeUVMap uv_map)
+void put_uv_of_corners(const Polygon_soup& soup, const Triangle_soup& triangles,
+                       const Mesh_indexing<FaceGraph>& indexing, const HalfedgeUVMap uv_map)
 {
   using Point_2 = typename boost::property_traits<HalfedgeUVMap>::value_type;
   const FaceGraph& mesh = indexing.graph();
@@ -61,7 +62,8 @@ void put_uv_of_corners(const Polygon_soup& soup, const Triangle_soup& triangles,
 
 /// Whether the two faces of an edge give different uv to one of its ends.
 template <typename FaceGraph, typename HalfedgeUVMap>
-bool is_seam(const typename boost::graph_traits<FaceGraph>::halfedge_descriptor h, const FaceGraph& mesh, const HalfedgeUVMap uv_map)
+bool is_seam(const typename boost::graph_traits<FaceGraph>::halfedge_descriptor h, const FaceGraph& mesh,
+             const HalfedgeUVMap uv_map)
 {
   const auto g = opposite(h, mesh);
   return get(uv_map, h) != get(uv_map, prev(g, mesh)) || get(uv_map, g) != get(uv_map, prev(h, mesh));
@@ -71,7 +73,7 @@ bool is_seam(const typename boost::graph_traits<FaceGraph>::halfedge_descriptor 
 
 /// reads a triangle mesh with uv per corner from an OBJ file: what `write_map_obj()` writes, or the map of another program.
 ///
-/// It is as strict as `read_triangle_mesh()`, but surfaces with boundary are accepted. Faces with more than three corners are
+/// It is as strict as `read_triangle_mesh()`, but surfaces with boundary are accepted, and no vertices are merged. Faces with more than three corners are
 /// triangulated in space. Nothing is asked of the uv but that every corner has it and that it is finite.
 ///
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph`
@@ -97,8 +99,11 @@ Mesh_reading_report read_map_obj(const std::string& filename, MutableFaceGraph& 
   Mesh_reading_report report;
   if (internal::lowercase_extension(filename) != ".obj")
     report.status = Mesh_reading_status::UNKNOWN_FORMAT;
-  else
-    report = internal::read_triangle_soup(filename, true, soup, triangles);
+  else {
+    internal::Mesh_reading_options options;
+    options.is_boundary_admitted = true;
+    report = internal::read_triangle_soup(filename, options, soup, triangles);
+  }
   if (report.success()) {
     const Mesh_reading_report uv_report = internal::check_uv_of_corners(soup);
     if (!uv_report.success())

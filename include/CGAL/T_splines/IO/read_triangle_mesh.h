@@ -5,7 +5,9 @@
 #define CGAL_T_SPLINES_IO_READ_TRIANGLE_MESH_H
 
 #include <CGAL/T_splines/IO/Mesh_reading_report.h>
+#include <CGAL/T_splines/IO/internal/build_triangle_mesh.h>
 #include <CGAL/T_splines/IO/internal/read_triangle_soup.h>
+#include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -19,13 +21,27 @@ namespace T_splines {
 /// everything that the algorithms of this package cannot use.
 ///
 /// Vertices and faces of `mesh` come in the order of the file, so that files that refer to them by number (cones, fields) fit.
-/// That is why nothing is repaired in silence:
-/// - Refused: what `Mesh_reading_status` lists. Isolated vertices, because they have no place in a map; faces of inconsistent
-///   orientation, even if flipping some of them would help, because which side is outside is for the file to say.
+/// That is why little is changed that was not asked for, and nothing in silence:
+/// - Refused: what `Mesh_reading_status` lists. The report says whether `repair(true)` or a larger `merge_distance` would
+///   help: both have been tried.
 /// - Accepted: several components; texture coordinates, normals, colours and other data, which are not read; an inside-out
 ///   orientation.
 /// - Changed, and said by `note()`: faces with more than three corners are triangulated (their triangles follow each other, in place of
-///   the face), quadrilaterals by the better diagonal; the corners of STL facets become one vertex where their coordinates are identical.
+///   the face), quadrilaterals by the better diagonal; the corners of STL facets become one vertex where their coordinates are identical;
+///   ends of boundary edges are merged, see below.
+///
+/// **Merging.** Two boundary edges that coincide become one edge, if each is the nearest to the other: this closes what
+/// was split along seams of texture coordinates or normals, or by the round-off of the program that wrote the file. Of the
+/// vertices that become one, the first keeps its place. Where more than two edges coincide, as where bodies touch, those
+/// are merged that follow each other around the edge inside of a body. Nothing is merged where a face would get the same
+/// vertex twice, or an edge more than two faces. Vertices that are no ends of boundary edges stay what they are.
+///
+/// **Repair.** In this order: ends of edges not longer than `merge_distance` become one vertex; faces with less than
+/// three different corners, repeated corners and duplicate faces are removed; ends of boundary edges are merged; faces
+/// are turned so that neighbours agree with each other and with most of their component, and vertices are split where an
+/// edge has more than two faces or the faces around a vertex are several fans
+/// (`CGAL::Polygon_mesh_processing::orient_polygon_soup()`); isolated vertices are removed; triangles of area zero are
+/// removed by flips and collapses of edges. Holes are not filled. The rest keeps its order.
 ///
 /// Coordinates are read to the nearest double. The readers of CGAL are not used, because they do not say what is wrong with a
 /// file and where, and accept files whose counts are wrong.
@@ -34,7 +50,9 @@ namespace T_splines {
 /// \tparam NamedParameters a sequence of named parameters
 /// \param filename a file whose extension, in any case, says what it is
 /// \param mesh the mesh to which the triangles are appended; untouched if the file is refused
-/// \param np optional: `vertex_point_map`, writable, values constructible from three doubles
+/// \param np optional: `vertex_point_map`, writable, values constructible from three doubles; `merge_distance` (`double`,
+///   `default_merge_distance`), up to which ends of edges coincide, relative to the longest side of the bounding box:
+///   0 merges what coincides exactly, a negative number nothing (in a repair, as 0); `repair` (`bool`, `false`)
 /// \return how it ended; never throws but for lack of memory. Complexity: O(n log n) in the size of the file.
 template <typename MutableFaceGraph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Mesh_reading_report read_triangle_mesh(const std::string& filename, MutableFaceGraph& mesh,
@@ -45,7 +63,10 @@ Mesh_reading_report read_triangle_mesh(const std::string& filename, MutableFaceG
 
   internal::Polygon_soup soup;
   internal::Triangle_soup triangles;
-  const Mesh_reading_report report = internal::read_triangle_soup(filename, false, soup, triangles);
+  internal::Mesh_reading_options options;
+  options.merge_distance = choose_parameter(get_parameter(np, np_tags::merge_distance), default_merge_distance);
+  options.is_repaired = choose_parameter(get_parameter(np, np_tags::repair), false);
+  const Mesh_reading_report report = internal::read_triangle_soup(filename, options, soup, triangles);
   if (report.success())
     internal::build_triangle_mesh(soup, triangles, mesh,
                                   choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),

@@ -26,6 +26,9 @@ struct Polygon_soup {
   std::size_t number_of_merged_points = 0;     ///< STL
   std::size_t number_of_trailing_bytes = 0;    ///< binary STL: behind the last facet
 
+  /// Of a soup that was changed: the numbers that its points and polygons have in the file. Empty: they are as in the file.
+  std::vector<std::size_t> point_numbers, polygon_numbers;
+
   static constexpr std::size_t no_uv = static_cast<std::size_t>(-1);
 
   std::size_t number_of_polygons() const { return first_corner.size() - 1; }
@@ -40,6 +43,9 @@ struct Polygon_soup {
 
   /// The polygon made of the corners that were appended since the last polygon.
   void end_polygon() { first_corner.push_back(corners.size()); }
+
+  std::size_t number_of_point(const std::size_t v) const { return point_numbers.empty() ? v : point_numbers[v]; }
+  std::size_t number_of_polygon(const std::size_t f) const { return polygon_numbers.empty() ? f : polygon_numbers[f]; }
 
   std::size_t line_of_point(const std::size_t v) const
   {

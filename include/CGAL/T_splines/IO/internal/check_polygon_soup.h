@@ -24,8 +24,10 @@ namespace internal {
 class Polygon_soup_checker {
 public:
   Polygon_soup_checker(const Polygon_soup& soup, const bool is_boundary_admitted)
-    : m_soup(soup), m_is_boundary_admitted(is_boundary_admitted)
-  {}
+    : m_soup(soup),
+      m_is_boundary_admitted(is_boundary_admitted)
+  {
+  }
 
   Mesh_reading_report check()
   {
@@ -39,6 +41,25 @@ public:
     if (report.success())
       report = check_vertices();
     return report;
+  }
+
+  /// The polygons alone: how many corners they have, and that these are different.
+  Mesh_reading_report check_polygons() const
+  {
+    std::vector<std::size_t> last_polygon(m_soup.points.size(), none);
+    for (std::size_t f = 0; f < m_soup.number_of_polygons(); ++f) {
+      if (m_soup.size_of_polygon(f) < 3)
+        return report_polygon(Mesh_reading_status::TOO_FEW_CORNERS, f);
+      if (m_soup.size_of_polygon(f) > Polygon_triangulator::max_corners)
+        return report_polygon(Mesh_reading_status::TOO_MANY_CORNERS, f);
+      for (std::size_t c = m_soup.first_corner[f]; c < m_soup.first_corner[f + 1]; ++c) {
+        std::size_t& last = last_polygon[m_soup.corners[c]];
+        if (last == f)
+          return report_polygon(Mesh_reading_status::REPEATED_VERTEX, f, m_soup.corners[c]);
+        last = f;
+      }
+    }
+    return Mesh_reading_report();
   }
 
 private:
@@ -57,7 +78,8 @@ private:
     return report;
   }
 
-  Mesh_reading_report report_polygon(const Mesh_reading_status status, const std::size_t f, const std::size_t v = none) const
+  Mesh_reading_report report_polygon(const Mesh_reading_status status, const std::size_t f,
+                                     const std::size_t v = none) const
   {
     Mesh_reading_report report = report_of(status);
     report.face = f;
@@ -66,31 +88,13 @@ private:
     return report;
   }
 
-  Mesh_reading_report report_side(const Mesh_reading_status status, const Side& side, const std::size_t other_polygon = none) const
+  Mesh_reading_report report_side(const Mesh_reading_status status, const Side& side,
+                                  const std::size_t other_polygon = none) const
   {
-    Mesh_reading_report report =
-      report_polygon(status, side.polygon, side.is_forward ? side.low : side.high);
+    Mesh_reading_report report = report_polygon(status, side.polygon, side.is_forward ? side.low : side.high);
     report.other_vertex = side.is_forward ? side.high : side.low;
     report.other_face = other_polygon;
     return report;
-  }
-
-  Mesh_reading_report check_polygons() const
-  {
-    std::vector<std::size_t> last_polygon(m_soup.points.size(), none);
-    for (std::size_t f = 0; f < m_soup.number_of_polygons(); ++f) {
-      if (m_soup.size_of_polygon(f) < 3)
-        return report_polygon(Mesh_reading_status::TOO_FEW_CORNERS, f);
-      if (m_soup.size_of_polygon(f) > Polygon_triangulator::max_corners)
-        return report_polygon(Mesh_reading_status::TOO_MANY_CORNERS, f);
-      for (std::size_t c = m_soup.first_corner[f]; c < m_soup.first_corner[f + 1]; ++c) {
-        std::size_t& last = last_polygon[m_soup.corners[c]];
-        if (last == f)
-          return report_polygon(Mesh_reading_status::REPEATED_VERTEX, f, m_soup.corners[c]);
-        last = f;
-      }
-    }
-    return Mesh_reading_report();
   }
 
   /// Two polygons with the same vertices share their least vertex: they are compared there.
@@ -206,7 +210,8 @@ private:
   /// Every vertex has exactly one fan: walk one fan per vertex and count the corners.
   Mesh_reading_report check_vertices() const
   {
-    std::vector<std::size_t> next(m_soup.corners.size()), previous(m_soup.corners.size()), polygon(m_soup.corners.size());
+    std::vector<std::size_t> next(m_soup.corners.size()), previous(m_soup.corners.size()),
+        polygon(m_soup.corners.size());
     std::vector<std::size_t> number_of_corners(m_soup.points.size(), 0), some_corner(m_soup.points.size(), none);
     for (std::size_t f = 0; f < m_soup.number_of_polygons(); ++f)
       for (std::size_t c = m_soup.first_corner[f]; c < m_soup.first_corner[f + 1]; ++c) {

@@ -4,24 +4,26 @@
 #ifndef CGAL_T_SPLINES_IO_INTERNAL_READ_TRIANGLE_SOUP_H
 #define CGAL_T_SPLINES_IO_INTERNAL_READ_TRIANGLE_SOUP_H
 
+#include <CGAL/T_splines/IO/Mesh_reading_report.h>
+#include <CGAL/T_splines/IO/internal/Boundary_sides.h>
 #include <CGAL/T_splines/IO/internal/Polygon_soup.h>
 #include <CGAL/T_splines/IO/internal/check_polygon_soup.h>
+#include <CGAL/T_splines/IO/internal/merge_boundaries.h>
 #include <CGAL/T_splines/IO/internal/parse_obj.h>
 #include <CGAL/T_splines/IO/internal/parse_off.h>
 #include <CGAL/T_splines/IO/internal/parse_ply.h>
 #include <CGAL/T_splines/IO/internal/parse_stl.h>
 #include <CGAL/T_splines/IO/internal/read_whole_file.h>
+#include <CGAL/T_splines/IO/internal/remove_degenerate_triangles.h>
+#include <CGAL/T_splines/IO/internal/repair_polygon_soup.h>
 #include <CGAL/T_splines/IO/internal/triangulate_polygon_soup.h>
 
-#include <CGAL/boost/graph/Euler_operations.h>
-
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
-
-#include <array>
+#include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,55 +69,170 @@ inline Mesh_reading_report parse_mesh_file(const std::string& filename, Polygon_
   return report;
 }
 
-/// Completes the report of a soup that was accepted.
+/// Counts the boundary edges and the loops that they form.
+inline void count_boundary(const Polygon_soup& soup, Mesh_reading_report& report)
+{
+  const std::vector<Polygon_side> sides = boundary_sides(soup);
+  Merged_points loops(soup.points.size());
+  std::set<std::size_t> numbers;
+  for (const Polygon_side& side : sides)
+    loops.unite(side.source, side.target);
+  for (const Polygon_side& side : sides)
+    numbers.insert(loops.representative(side.source));
+  report.number_of_boundary_edges = sides.size();
+  report.number_of_boundary_loops = numbers.size();
+}
+
+/// What the public readers ask for.
+struct Mesh_reading_options {
+  bool is_boundary_admitted = false;
+  double merge_distance = -1; ///< relative to the longest side of the bounding box; negative: nothing is merged
+  bool is_repaired = false;
+};
+
+/// Counts what stands in the file, before anything is changed.
 inline void count_elements(const Polygon_soup& soup, Mesh_reading_report& report)
 {
   report.number_of_vertices = soup.points.size();
   report.number_of_faces = soup.number_of_polygons();
   report.number_of_merged_points = soup.number_of_merged_points;
   report.number_of_trailing_bytes = soup.number_of_trailing_bytes;
+  report.number_of_triangulated_faces = 0;
   for (std::size_t f = soup.number_of_polygons(); f-- > 0;)
-    if (soup.size_of_polygon(f) != 3) {
+    if (soup.size_of_polygon(f) > 3) {
       ++report.number_of_triangulated_faces;
       report.first_triangulated_face = f;
     }
 }
 
+/// Merges or repairs as asked for, checks, and triangulates.
+class Soup_triangulation {
+public:
+  Soup_triangulation(const Mesh_reading_options& options, Polygon_soup& soup, Triangle_soup& triangles)
+    : m_options(options),
+      m_soup(soup),
+      m_triangles(triangles)
+  {
+  }
+
+  /// The elements of the report are those of the file.
+  Mesh_reading_report compute()
+  {
+    Mesh_reading_report counts;
+    count_elements(m_soup, counts);
+    Mesh_reading_report report = prepare(counts.repairs);
+    if (report.success()) {
+      counts.number_of_merged_vertices = m_merged.number_of_points;
+      counts.merged_distance = relative(m_merged.largest_distance);
+      return counts;
+    }
+    if (report.vertex != Mesh_reading_report::none)
+      report.vertex = m_soup.number_of_point(report.vertex);
+    if (report.other_vertex != Mesh_reading_report::none)
+      report.other_vertex = m_soup.number_of_point(report.other_vertex);
+    if (report.face != Mesh_reading_report::none)
+      report.face = m_soup.number_of_polygon(report.face);
+    if (report.other_face != Mesh_reading_report::none)
+      report.other_face = m_soup.number_of_polygon(report.other_face);
+    return report;
+  }
+
+  /// The largest distance between ends of sides that were made one edge, relative to the longest side of the bounding box.
+  double closing_distance() const { return relative(m_merged.closing_distance); }
+
+private:
+  Mesh_reading_report prepare(Mesh_repairs& repairs)
+  {
+    Mesh_reading_report report;
+    if (!m_options.is_repaired)
+      report = Polygon_soup_checker(m_soup, true).check_polygons();
+    if (!report.success())
+      return report;
+    merge(repairs);
+    report = Polygon_soup_checker(m_soup, m_options.is_boundary_admitted).check();
+    if (!report.success())
+      return report;
+    m_triangles = triangulate_polygon_soup(m_soup);
+    if (m_options.is_repaired && remove_degenerate_triangles(m_soup, m_triangles, repairs))
+      report = Polygon_soup_checker(m_soup, m_options.is_boundary_admitted).check();
+    return report.success() ? check_triangle_geometry(m_soup, m_triangles) : report;
+  }
+
+  void merge(Mesh_repairs& repairs)
+  {
+    const double side = longest_side(m_soup);
+    m_longest_side = std::isfinite(side) ? side : 0; // beyond the range of double, nothing is near
+    const double distance = std::max(0., m_options.merge_distance) * m_longest_side;
+    const double round_off = default_merge_distance * m_longest_side;
+    if (m_options.is_repaired)
+      m_merged = repair_polygon_soup(distance, round_off, m_soup, repairs);
+    else if (m_options.merge_distance >= 0)
+      m_merged = merge_boundaries(distance, round_off, Merge_conflicts::AVOIDED, m_soup);
+  }
+
+  double relative(const double length) const { return m_longest_side > 0 ? length / m_longest_side : 0; }
+
+  const Mesh_reading_options m_options;
+  Polygon_soup& m_soup;
+  Triangle_soup& m_triangles;
+  double m_longest_side = 0;
+  Merged_boundaries m_merged;
+};
+
+/// The next larger number with two decimal digits.
+inline double rounded_up(const double x)
+{
+  if (!(x > 0))
+    return 0;
+  const double unit = std::pow(10., std::floor(std::log10(x)) - 1);
+  return std::ceil(x / unit * (1 + 1e-12)) * unit; // the factor: round-off of the quotient
+}
+
+/// Tries what would help against a refusal.
+inline void find_remedies(const std::string& filename, const Mesh_reading_options& options, Mesh_reading_report& report)
+{
+  constexpr double largest_advised_distance = 1e-3; // beyond it, merging would change what one sees
+  Polygon_soup original;
+  if (!parse_mesh_file(filename, original).success())
+    return;
+  double closing_distance = 0;
+  const auto succeeds = [&original, &closing_distance](const Mesh_reading_options& changed) {
+    Polygon_soup soup = original;
+    Triangle_soup triangles;
+    Soup_triangulation triangulation(changed, soup, triangles);
+    const bool has_succeeded = triangulation.compute().success();
+    closing_distance = triangulation.closing_distance();
+    return has_succeeded;
+  };
+  Mesh_reading_options repairing = options;
+  repairing.is_repaired = true;
+  report.is_repairable = !options.is_repaired && succeeds(repairing);
+  if (report.status != Mesh_reading_status::BOUNDARY)
+    return;
+  Mesh_reading_options merging = options;
+  merging.merge_distance = largest_advised_distance;
+  if (!succeeds(merging))
+    return;
+  merging.merge_distance = rounded_up(closing_distance);
+  if (succeeds(merging))
+    report.closing_distance = merging.merge_distance;
+}
+
 /// Reads a file, checks everything and triangulates: what the public readers have in common.
-inline Mesh_reading_report read_triangle_soup(const std::string& filename, const bool is_boundary_admitted,
+inline Mesh_reading_report read_triangle_soup(const std::string& filename, const Mesh_reading_options& options,
                                               Polygon_soup& soup, Triangle_soup& triangles)
 {
   Mesh_reading_report report = parse_mesh_file(filename, soup);
-  if (report.success())
-    report = Polygon_soup_checker(soup, is_boundary_admitted).check();
   if (!report.success())
     return report;
-  triangles = triangulate_polygon_soup(soup);
-  report = check_triangle_geometry(soup, triangles);
+  report = Soup_triangulation(options, soup, triangles).compute();
   if (report.success())
-    count_elements(soup, report);
+    return report;
+  if (report.status == Mesh_reading_status::BOUNDARY)
+    count_boundary(soup, report);
+  if (!options.is_boundary_admitted)
+    find_remedies(filename, options, report);
   return report;
-}
-
-/// Appends the triangles to a mesh, vertices and faces in the order of the soup.
-template <typename MutableFaceGraph, typename VertexPointMap>
-void build_triangle_mesh(const Polygon_soup& soup, const Triangle_soup& triangles, MutableFaceGraph& mesh,
-                         const VertexPointMap vertex_point_map)
-{
-  using Point_3 = typename boost::property_traits<VertexPointMap>::value_type;
-  using vertex_descriptor = typename boost::graph_traits<MutableFaceGraph>::vertex_descriptor;
-  std::vector<vertex_descriptor> vertices;
-  vertices.reserve(soup.points.size());
-  for (const std::array<double, 3>& p : soup.points) {
-    vertices.push_back(add_vertex(mesh));
-    put(vertex_point_map, vertices.back(), Point_3(p[0], p[1], p[2]));
-  }
-  std::array<vertex_descriptor, 3> corners;
-  for (const std::array<std::size_t, 3>& triangle : triangles.triangles) {
-    for (std::size_t i = 0; i < 3; ++i)
-      corners[i] = vertices[triangle[i]];
-    CGAL::Euler::add_face(corners, mesh);
-  }
 }
 
 } // namespace internal
