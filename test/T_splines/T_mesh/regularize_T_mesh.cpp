@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/T_mesh/is_admissible.h>
 
 #include "T_mesh/Development.h"
+#include "Spline/Planar_t_mesh.h"
 #include "T_mesh/test_t_meshes.h"
 
 #include <CGAL/Exact_rational.h>
@@ -207,4 +208,25 @@ TEST_CASE("a T-mesh without faces", "[regularize_T_mesh]")
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
   Mesh t{Faces<double>()};
   CHECK(CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots(), t.corners()).faces_after == 0);
+}
+
+TEST_CASE("gaps between lines that end at opposite sides of a third one are closed", "[regularize_T_mesh]")
+{
+  // Two rows of a torus, each of two faces that are nearly squares.
+  for (const double x : {4.125, 4 + 1 / 1024., 3.8125}) {
+    INFO(x);
+    spline_tests::Planar_t_mesh plane({0, 8}, {0, 4, 8}, true);
+    plane.split(0, 0, 4);
+    plane.split(1, 0, x);
+    test_t_meshes::T_mesh<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>, CGAL::Exact_rational> t(
+        plane.faces<CGAL::Exact_rational>());
+    const auto report = CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots(), t.corners());
+    CHECK(report.closed_gaps == 2); // in the middle of the torus, and at its end
+    CHECK(report.worst_aspect_after < 5);
+    CHECK(CGAL::T_splines::is_admissible(t.mesh, t.knots(), t.corners()));
+    const CGAL::T_splines::T_mesh_coordinates<decltype(t.mesh), decltype(t.knots()), decltype(t.corners())> coordinates(
+        t.mesh, t.knots(), t.corners());
+    for (const auto h : halfedges(t.mesh))
+      CHECK(get(t.knots(), h) * 16 >= coordinates.side_length(h));
+  }
 }

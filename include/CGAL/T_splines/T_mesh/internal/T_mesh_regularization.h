@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
 #include <CGAL/T_splines/T_mesh/internal/Changed_faces.h>
+#include <CGAL/T_splines/T_mesh/internal/Split_position.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_type_basic.h>
@@ -111,7 +112,7 @@ class T_mesh_regularization {
 
 public:
   struct Counts {
-    std::size_t removals = 0, flips = 0, partial_removals = 0;
+    std::size_t removals = 0, flips = 0, partial_removals = 0, closed_gaps = 0;
   };
 
   // An operation must make the worst of the faces better by this factor. Then it ends: the sequence of all aspect
@@ -124,10 +125,19 @@ public:
   // and where no face is worse than this, none is added.
   static constexpr double small_aspect = 3;
 
+  // Where two lines end on opposite sides of a third one, closer to each other than this part of a face between them,
+  // one of them is shortened,
+  static constexpr double smallest_gap = 1 / 16.;
+
+  // unless a face became worse than the worst one, or than this.
+  static constexpr double aspect_at_gap = 5;
+
   T_mesh_regularization(TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
                         const Visitor& visitor, const VertexIsConstrainedMap vertex_is_constrained)
     : m_t_mesh(t_mesh),
+      m_knots(knots),
       m_corners(corners),
+      m_split_position(t_mesh, knots, corners),
       m_editor(t_mesh, knots, corners, Editor_visitor(m_changed_faces.visitor(), visitor), vertex_is_constrained)
   {
   }
@@ -151,6 +161,11 @@ public:
         ++done;
         update_queue();
       }
+    }
+    const std::size_t number_of_gaps = gaps().size();
+    while (counts.closed_gaps < number_of_gaps && done < number_of_operations && close_a_gap()) {
+      ++counts.closed_gaps;
+      ++done;
     }
     return counts;
   }
@@ -294,8 +309,111 @@ private:
     return bool(m_editor.remove_partly(r.h, from, to));
   }
 
+  // Whether lines end at both ends of the edge of h, on opposite sides: on its own side at its target if is_forward, at
+  // its source if not.
+  bool is_between_lines(const halfedge_descriptor h, const bool is_forward) const
+  {
+    const halfedge_descriptor o = opposite(h, m_t_mesh);
+    return face(h, m_t_mesh) != Traits::null_face() && face(o, m_t_mesh) != Traits::null_face() &&
+           get(m_corners, h) == is_forward && get(m_corners, o) == is_forward &&
+           get(m_corners, prev(h, m_t_mesh)) != is_forward && get(m_corners, prev(o, m_t_mesh)) != is_forward;
+  }
+
+  double part_of_side(const halfedge_descriptor h) const
+  {
+    const auto& coordinates = m_editor.coordinates();
+    return CGAL::to_double(FT(get(m_knots, h))) / CGAL::to_double(coordinates.side_length(h));
+  }
+
+  // A line that ends next to another one: the halfedge at its end, which begins there or ends there.
+  struct Line_at_gap {
+    double width;
+    halfedge_descriptor h;
+    bool begins;
+  };
+
+  // Those at the narrowest gap first.
+  std::vector<Line_at_gap> gaps() const
+  {
+    std::vector<Line_at_gap> result;
+    for (const halfedge_descriptor h : halfedges(m_t_mesh))
+      for (const bool is_forward : {true, false})
+        if (is_between_lines(h, is_forward)) {
+          const double part = (std::min)(part_of_side(h), part_of_side(opposite(h, m_t_mesh)));
+          if (part < smallest_gap)
+            result.push_back({part, is_forward ? next(h, m_t_mesh) : prev(h, m_t_mesh), is_forward});
+        }
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Line_at_gap& a, const Line_at_gap& b) { return a.width < b.width; });
+    return result;
+  }
+
+  // Closes the narrowest gap that can be closed.
+  bool close_a_gap()
+  {
+    double limit = aspect_at_gap;
+    for (const face_descriptor f : faces(m_t_mesh))
+      limit = (std::max)(limit, aspect(f));
+    for (const Line_at_gap& line : gaps())
+      if (shorten(line, limit))
+        return true;
+    return false;
+  }
+
+  // Removes the last piece of a line, if no face becomes worse than the limit. An orthogonal edge is inserted at its
+  // new end, at a vertex of one of the two faces or away from them.
+  bool shorten(const Line_at_gap& line, const double limit)
+  {
+    if (face(line.h, m_t_mesh) == face(opposite(line.h, m_t_mesh), m_t_mesh))
+      return false;
+    const auto o = m_editor.overlap(line.h);
+    const Sizes s = sizes(o);
+    const bool at_first = line.begins;
+    const FT length = o.end - o.begin;
+    double best = limit;
+    FT best_x(0);
+    for (const double part : fractions(s, at_first ? s.after : s.before)) {
+      const double rest = part * s.length;
+      const double aspect = at_first ? s.new_aspect(0, s.length - rest) : s.new_aspect(rest, s.length);
+      if (aspect >= best)
+        continue;
+      const FT x = snapped(o, FT(FT(at_first ? 1 - part : part) * length));
+      if (x > FT(0) && x < length) {
+        best = aspect;
+        best_x = x;
+      }
+    }
+    return best < limit && m_editor.remove_partly(o.first, at_first ? FT(0) : best_x, at_first ? best_x : length);
+  }
+
+  // The place x of an orthogonal edge through both faces of an overlap, or that of a vertex close by; 0 if there are two
+  // of them.
+  FT snapped(const typename Editor::Overlap& o, const FT& x) const
+  {
+    const halfedge_descriptor last = opposite(o.last, m_t_mesh);
+    const FT length = o.end - o.begin;
+    const FT y = snapped_in_face(o.first, FT(o.begin + x), o.side_length) - o.begin;
+    const FT z = o.opposite_begin + FT(length - y) / o.scale;
+    const FT snapped_z = snapped_in_face(last, z, o.opposite_side_length);
+    if (snapped_z == z)
+      return y;
+    const FT w = length - FT(snapped_z - o.opposite_begin) * o.scale;
+    return y == x && snapped_in_face(o.first, FT(o.begin + w), o.side_length) == o.begin + w ? w : FT(0);
+  }
+
+  // Of a distance on the side of h.
+  FT snapped_in_face(const halfedge_descriptor h, const FT& x, const FT& size) const
+  {
+    const int side = m_editor.coordinates().side(h);
+    const FT margin = size / FT(16), at = side < 2 ? x : FT(size - x);
+    const FT result = m_split_position.near(face(h, m_t_mesh), side % 2, FT(at - margin), at, FT(at + margin));
+    return side < 2 ? result : FT(size - result);
+  }
+
   TMesh& m_t_mesh;
+  HalfedgeKnotMap m_knots;
   HalfedgeCornerMap m_corners;
+  Split_position<TMesh, HalfedgeKnotMap, HalfedgeCornerMap> m_split_position;
   Changed_faces<TMesh> m_changed_faces;
   Editor m_editor;
   std::priority_queue<Entry> m_queue;
