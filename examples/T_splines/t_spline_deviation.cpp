@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Measures how far a T-spline surface and a mesh are from each other, in space, whatever the parametrization.
+// Measures how far a T-spline surface and a mesh are from each other, in space, whatever the parametrization, and
+// looks for folds and self-intersections of the surface.
 //
 //   t_spline_deviation [T_SPLINE.ply MESH]
 //
@@ -11,6 +12,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/iterator.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,8 +28,8 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 void print(const std::string& title, const T::One_way_deviation& deviation)
 {
   std::cout << title << ": root mean square " << deviation.relative_rms() << ", largest "
-            << deviation.relative_maximum() << " of the longest side of the bounding box, at ("
-            << deviation.farthest_point << ")\n";
+            << deviation.relative_maximum() << " (certainly at most " << deviation.relative_upper_bound()
+            << ") of the longest side of the bounding box, at (" << deviation.farthest_point << ")\n";
 }
 
 int main(int argc, char* argv[])
@@ -64,6 +66,12 @@ int main(int argc, char* argv[])
   }
   print("mesh to surface", report.mesh_to_surface);
   print("surface to mesh", report.surface_to_mesh);
+  std::cout << report.normals.number_of_folded_patches << " of " << report.normals.number_of_patches
+            << " Bezier patches have a fold, " << report.normals.number_of_certified_patches
+            << " certainly have none\n";
+  const auto intersections = T::check_T_spline_self_intersections(surface, mesh, CGAL::Emptyset_iterator());
+  std::cout << intersections.number_of_new_intersections
+            << " pairs of triangles of the surface intersect where the mesh does not\n";
   std::vector<double> distances(distance.begin(), distance.end());
   std::nth_element(distances.begin(), distances.begin() + distances.size() / 2, distances.end());
   std::cout << "half of the vertices are within " << distances[distances.size() / 2] << "\n";

@@ -60,7 +60,7 @@ public:
   {
     const Triangle_tree tree(m_mesh);
     const Mesh_normals normals(m_mesh);
-    Distances_to_mesh<Measured> distances(m_surface, tree, negligible());
+    Distances_to_mesh<Measured> distances(m_surface, tree, negligible(), smallest_size());
     Fold_search<Measured> folds(m_surface, tree, normals);
     Distance_sum sum(m_report.tolerance);
     const auto visit = [&](const Surface_sample& sample, const double distance) {
@@ -90,7 +90,7 @@ public:
   void measure_mesh()
   {
     m_surface.prepare();
-    Distances_to_surface<Measured> distances(m_mesh, m_surface, negligible());
+    Distances_to_surface<Measured> distances(m_mesh, m_surface, negligible(), smallest_size());
     using Sample = typename Distances_to_surface<Measured>::Sample;
     Distance_sum sum(m_report.tolerance);
     const auto visit = [&](const Sample& sample) { attribute(sample.foot.face, sample.foot.distance); };
@@ -114,18 +114,21 @@ private:
   // Distances that need not be told apart.
   double negligible() const { return 1e-7 * m_extent; }
 
+  // Of the cells that means are taken from.
+  double smallest_size() const { return 1e-4 * m_extent; }
+
   // Enough for means: some per patch and triangle, but not without limit.
   double number_of_samples() const
   {
     const double triangles = static_cast<double>(m_mesh.triangles.size()),
                  patches = static_cast<double>(m_surface.number_of_patches());
-    return (std::max)(std::clamp(20 * patches + 2 * triangles, 20000., 100000.), 0.5 * triangles);
+    return (std::max)(std::clamp(20 * patches + 2 * triangles, 20000., 60000.), 0.5 * triangles);
   }
 
   // Where distances are almost constant, the search would not end soon.
   std::size_t number_of_steps() const
   {
-    constexpr double smallest_number = 40000;
+    constexpr double smallest_number = 60000;
     return static_cast<std::size_t>((std::max)(number_of_samples() / 2, smallest_number));
   }
 

@@ -14,6 +14,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -63,9 +65,12 @@ public:
   using Patch = typename Measured::Patch;
 
   /// \param negligible distances that need not be told apart
-  Distances_to_mesh(const Measured& surface, const Triangle_tree& mesh, const double negligible)
+  /// \param smallest_size cells need not be smaller for means
+  Distances_to_mesh(const Measured& surface, const Triangle_tree& mesh, const double negligible,
+                    const double smallest_size)
     : m_surface(surface),
       m_mesh(mesh),
+      m_smallest_size(smallest_size),
       m_largest(negligible)
   {
   }
@@ -78,7 +83,8 @@ public:
     double area = 0;
     for (std::size_t i = 0; i < m_surface.number_of_patches(); ++i)
       area += m_surface.size(i)[0] * m_surface.size(i)[1];
-    const double size = std::sqrt(area / number_of_cells);
+    const double size =
+        (std::max)({std::sqrt(area / number_of_cells), m_smallest_size, (std::numeric_limits<double>::min)()});
     for (std::size_t i = 0; i < m_surface.number_of_patches(); ++i)
       measure_patch(i, size, sum, visit);
   }
@@ -127,9 +133,10 @@ private:
   template <typename Visit>
   void measure_patch(const std::size_t i, const double size, Distance_sum& sum, const Visit& visit)
   {
-    constexpr double smallest_number = 3;
+    constexpr double smallest_number = 3, largest_number = 1000;
     const auto parts = [&](const int axis, const double share) {
-      return static_cast<int>((std::max)(std::round(share * m_surface.size(i)[axis] / size), smallest_number));
+      return static_cast<int>(
+          std::clamp(std::round(share * m_surface.size(i)[axis] / size), smallest_number, largest_number));
     };
     const int corner = m_surface.domain(i).cap_corner;
     if (corner < 0) {
@@ -205,6 +212,7 @@ private:
 
   const Measured& m_surface;
   const Triangle_tree& m_mesh;
+  double m_smallest_size;
   Surface_sample m_sample, m_farthest;
   std::vector<Cell> m_cells; // those of the first grid that are open
   Largest_distance<Cell> m_largest;

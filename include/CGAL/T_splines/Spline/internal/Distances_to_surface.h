@@ -45,9 +45,12 @@ public:
   };
 
   /// \param negligible distances that need not be told apart
-  Distances_to_surface(const Triangle_set& mesh, const Measured& surface, const double negligible)
+  /// \param smallest_size parts need not be smaller for means
+  Distances_to_surface(const Triangle_set& mesh, const Measured& surface, const double negligible,
+                       const double smallest_size)
     : m_mesh(mesh),
       m_surface(surface),
+      m_smallest_size(smallest_size),
       m_largest(negligible)
   {
   }
@@ -59,7 +62,7 @@ public:
   void measure(const double number_of_samples, Distance_sum& sum, std::vector<double>& distances, const Visit& visit)
   {
     measure_points(visit);
-    const double smallest = affordable_size(m_mesh, (std::max)(smallest_cell(), smallest_size()), number_of_samples);
+    const double smallest = affordable_size(m_mesh, (std::max)(smallest_cell(), m_smallest_size), number_of_samples);
     std::vector<Part> parts;
     for (std::size_t i = 0; i < m_mesh.triangles.size(); ++i) {
       const std::array<std::size_t, 3>& t = m_mesh.triangles[i];
@@ -148,9 +151,6 @@ private:
     return (std::max)(result, (std::numeric_limits<double>::min)());
   }
 
-  // Smaller parts would not tell more about the means.
-  double smallest_size() const { return m_mesh.extent() / 10000; }
-
   double cell_size(const std::size_t patch) const
   {
     return 0.5 * (std::min)(m_surface.size(patch)[0], m_surface.size(patch)[1]);
@@ -211,6 +211,7 @@ private:
 
   const Triangle_set& m_mesh;
   const Measured& m_surface;
+  double m_smallest_size;
   std::vector<Foot> m_feet; // of the points
   Sample m_farthest;
   Largest_distance<Part> m_largest;

@@ -119,15 +119,13 @@ private:
     // The closest point of a point that is r from the middle is no farther from that than r + (r + the distance).
     const double reach = 2 * std::sqrt(squared_radius) + m_mesh.foot(middle, hint).distance();
     const double sine = std::sqrt((std::max)(0., 1 - cone.cosine * cone.cosine));
-    bool result = true;
-    m_mesh.for_each_near(middle, reach, [&](const std::size_t i) {
+    return m_mesh.is_true_near(middle, reach, [&](const std::size_t i) {
       const Vector_3& normal = m_normals.normal(i);
-      if (!result || normal == CGAL::NULL_VECTOR || normal * cone.axis > sine)
-        return;
+      if (normal == CGAL::NULL_VECTOR || normal * cone.axis > sine)
+        return true;
       const Point_3 q = closest_of_triangle(middle, m_mesh.triangle(i));
-      result = CGAL::squared_distance(middle, q) > reach * reach;
+      return CGAL::squared_distance(middle, q) > reach * reach;
     });
-    return result;
   }
 
   const Measured& m_surface;

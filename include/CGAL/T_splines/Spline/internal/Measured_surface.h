@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Spline/Bezier_patch_3.h>
 #include <CGAL/T_splines/Spline/T_spline_closest_point.h>
 #include <CGAL/T_splines/Spline/internal/Bezier_part.h>
+#include <CGAL/T_splines/Spline/internal/Chord_errors.h>
 #include <CGAL/T_splines/Spline/internal/Parameter_correction.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
@@ -53,14 +54,13 @@ public:
     std::size_t triangle = 0; ///< of the triangulation, near by
   };
 
-  explicit Measured_surface(const Compiled& compiled) : m_compiled(compiled)
+  explicit Measured_surface(const Compiled& compiled) : m_compiled(compiled), m_chord_errors(compiled.t_mesh_arrays())
   {
     const std::size_t n = compiled.number_of_patches();
     m_patches.reserve(n);
     m_domains.reserve(n);
     m_bounds.reserve(n);
     m_sizes.reserve(n);
-    m_face_bounds.assign(compiled.indexing().number_of_faces(), Derivative_bounds{0, 0, 0, 0, 0});
     for (std::size_t i = 0; i < n; ++i)
       add_patch(i);
   }
@@ -135,16 +135,14 @@ public:
   /// How far the surface is, at most, from the triangle of three of its points; infinite where nothing is known.
   double chord_error(const Foot& a, const Foot& b, const Foot& c) const
   {
-    if (a.face != b.face || a.face != c.face)
-      return std::numeric_limits<double>::infinity();
+    if (a.patch != b.patch || a.patch != c.patch)
+      return m_chord_errors({{{a.face, a.u, a.v}, {b.face, b.u, b.v}, {c.face, c.u, c.v}}});
     const auto range = [](const FT& x, const FT& y, const FT& z) {
       return CGAL::to_double(FT((std::max)({x, y, z}) - (std::min)({x, y, z})));
     };
-    const double du = range(a.u, b.u, c.u), dv = range(a.v, b.v, c.v);
-    if (a.patch != b.patch || a.patch != c.patch)
-      return m_face_bounds[a.face].chord_error(du, dv);
     const Domain& domain = m_domains[a.patch];
-    return m_bounds[a.patch].chord_error(du * domain.u_factor, dv * domain.v_factor);
+    return m_bounds[a.patch].chord_error(range(a.u, b.u, c.u) * domain.u_factor,
+                                         range(a.v, b.v, c.v) * domain.v_factor);
   }
 
 private:
@@ -165,11 +163,9 @@ private:
     m_patches.emplace_back(controls);
     m_bounds.push_back(derivative_bounds(m_patches.back()));
     m_sizes.push_back(size_of(m_patches.back()));
-    Derivative_bounds& of_face = m_face_bounds[m_domains.back().face];
     const Derivative_bounds& b = m_bounds.back();
-    of_face.ss = (std::max)(of_face.ss, b.ss / (du * du));
-    of_face.st = (std::max)(of_face.st, b.st / (du * dv));
-    of_face.tt = (std::max)(of_face.tt, b.tt / (dv * dv));
+    m_chord_errors.add_patch(m_domains.back().face,
+                             {b.s / du, b.t / dv, b.ss / (du * du), b.st / (du * dv), b.tt / (dv * dv)}, domain.is_cap);
   }
 
   static std::array<double, 2> size_of(const Patch& patch)
@@ -273,11 +269,11 @@ private:
   const Compiled& m_compiled;
   std::vector<Patch> m_patches;
   std::vector<Domain> m_domains;
-  std::vector<Derivative_bounds> m_bounds;      // per patch
-  std::vector<Derivative_bounds> m_face_bounds; // per face; those of the second derivatives
-  std::vector<std::array<double, 2>> m_sizes;   // per patch
-  int m_parts = 2;                              // of each side of a patch in the triangulation
-  std::unique_ptr<const Triangle_tree> m_tree;  // of the triangulation
+  std::vector<Derivative_bounds> m_bounds; // per patch
+  Chord_errors<FT> m_chord_errors;
+  std::vector<std::array<double, 2>> m_sizes;  // per patch
+  int m_parts = 2;                             // of each side of a patch in the triangulation
+  std::unique_ptr<const Triangle_tree> m_tree; // of the triangulation
   std::unique_ptr<const T_spline_closest_point<Compiled>> m_closest;
 };
 

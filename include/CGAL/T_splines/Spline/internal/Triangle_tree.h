@@ -121,12 +121,16 @@ public:
 
   double distance(const Point_3& p) const { return foot(p).distance(); }
 
-  /// Calls `visit(i)` for the triangles whose bounding boxes are closer to p than a radius.
+  /// Calls `visit(i)` for the triangles whose bounding boxes are closer to p than a radius, until it returns `false`.
+  /// \return whether it never did
   template <typename Visit>
-  void for_each_near(const Point_3& p, const double radius, const Visit& visit) const
+  bool is_true_near(const Point_3& p, const double radius, const Visit& visit) const
   {
+    bool result = true;
     m_tree.for_each_closer(
-        {p.x(), p.y(), p.z()}, [=] { return radius * radius; }, visit);
+        {p.x(), p.y(), p.z()}, [&] { return result ? radius * radius : 0; },
+        [&](const std::size_t i) { result = result && visit(i); });
+    return result;
   }
 
 private:
