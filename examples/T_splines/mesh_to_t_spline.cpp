@@ -14,11 +14,13 @@
 #include "mesh_to_t_spline/Summary.h"
 #include "mesh_to_t_spline/guidance.h"
 #include "mesh_to_t_spline/map_computation.h"
+#include "mesh_to_t_spline/reading_advice.h"
 #include "mesh_to_t_spline/t_mesh_stage.h"
 #include "mesh_to_t_spline/t_spline_stage.h"
 
 #include <CGAL/T_splines/IO/read_map_obj.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
+#include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -46,12 +48,15 @@ struct Outcome {
 };
 
 /// What is known of a mesh that was read.
-Figures::Input input_figures(Mesh& mesh, const std::string& path, const std::string& note)
+Figures::Input input_figures(Mesh& mesh, const std::string& path, const CGAL::T_splines::Mesh_reading_report& report)
 {
   Figures::Input figures;
   figures.name = std::filesystem::path(path).filename().string();
   figures.path = path;
-  figures.note = note;
+  figures.note = note(report);
+  figures.merged_vertices = report.number_of_merged_vertices;
+  figures.merged_distance = report.merged_distance;
+  figures.repairs = report.repairs;
   figures.vertices = num_vertices(mesh);
   figures.edges = num_edges(mesh);
   figures.faces = num_faces(mesh);
@@ -102,8 +107,8 @@ private:
   {
     m_progress.end_stage();
     if (!report.success())
-      return fail(exit_bad_input, m_options.input_file() + ": " + describe(report));
-    m_figures.input = input_figures(mesh, m_options.input_file(), note(report));
+      return fail(exit_bad_input, m_options.input_file() + ": " + describe(report) + "; " + advice(report));
+    m_figures.input = input_figures(mesh, m_options.input_file(), report);
     if (!m_figures.input.note.empty() && !m_options.is_quiet)
       std::cerr << m_options.input_file() << ": note: " << m_figures.input.note << "\n";
     return true;
@@ -111,8 +116,11 @@ private:
 
   bool read_mesh()
   {
+    namespace P = CGAL::T_splines::parameters;
     m_progress.begin_stage("reading");
-    return end_reading(CGAL::T_splines::read_triangle_mesh(m_options.mesh, m_results.input), m_results.input);
+    const double distance = m_options.merge_distance.value_or(CGAL::T_splines::default_merge_distance);
+    const auto np = P::merge_distance(m_options.is_merged ? distance : -1, P::repair(m_options.is_repaired));
+    return end_reading(CGAL::T_splines::read_triangle_mesh(m_options.mesh, m_results.input, np), m_results.input);
   }
 
   bool read_map()
@@ -148,7 +156,8 @@ private:
     m_figures.seconds = m_progress.seconds();
     m_figures.peak_memory_bytes = peak_memory_bytes();
     std::string names;
-    const std::string failure = write_output_files(m_options.output_directory, m_results, m_figures, names);
+    const std::vector<std::string> inputs = {m_options.mesh, m_options.uv, m_options.field, m_options.cones};
+    const std::string failure = write_output_files(m_options.output_directory, inputs, m_results, m_figures, names);
     m_progress.end_stage();
     if (!failure.empty())
       return fail(exit_failure, failure);

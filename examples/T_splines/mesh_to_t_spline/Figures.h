@@ -7,6 +7,7 @@
 #include "t_mesh_figures.h"
 #include "t_spline_figures.h"
 
+#include <CGAL/T_splines/IO/Mesh_reading_report.h>
 #include <CGAL/T_splines/IO/internal/Json_writer.h>
 
 #include <cstddef>
@@ -36,6 +37,9 @@ struct T_mesh_stage_figures {
 struct Figures {
   struct Input {
     std::string name, path, note;
+    std::size_t merged_vertices = 0;
+    double merged_distance = 0; ///< by the longest side of the bounding box
+    CGAL::T_splines::Mesh_repairs repairs;
     std::size_t vertices = 0, edges = 0, faces = 0, components = 0;
     long genus = 0; ///< of all components together
   };
@@ -78,6 +82,23 @@ struct Figures {
   double seconds = 0;
   std::size_t peak_memory_bytes = 0; ///< 0: not known
 };
+
+inline void write_input_members(CGAL::T_splines::internal::Json_writer& json, const Figures::Input& input)
+{
+  json.member("name", input.name).member("path", input.path).member("note", input.note);
+  json.member("merged_vertices", input.merged_vertices).member("merged_distance", input.merged_distance);
+  json.key("repairs").begin_object();
+  json.member("degenerate_faces", input.repairs.degenerate_faces);
+  json.member("shortened_faces", input.repairs.shortened_faces);
+  json.member("duplicate_faces", input.repairs.duplicate_faces);
+  json.member("reversed_faces", input.repairs.reversed_faces);
+  json.member("split_vertices", input.repairs.split_vertices);
+  json.member("isolated_vertices", input.repairs.isolated_vertices);
+  json.member("flat_triangles", input.repairs.flat_triangles);
+  json.end_object();
+  json.member("vertices", input.vertices).member("edges", input.edges).member("faces", input.faces);
+  json.member("components", input.components).member("genus", input.genus);
+}
 
 inline void write_map_figures(CGAL::T_splines::internal::Json_writer& json, const Map_figures& map)
 {
@@ -148,11 +169,7 @@ inline std::string figures_as_json(const Figures& figures)
   json.begin_object();
   json.member("program", "mesh_to_t_spline").member("version", figures.version);
   json.key("input").begin_object();
-  json.member("name", figures.input.name).member("path", figures.input.path).member("note", figures.input.note);
-  json.member("vertices", figures.input.vertices)
-      .member("edges", figures.input.edges)
-      .member("faces", figures.input.faces);
-  json.member("components", figures.input.components).member("genus", figures.input.genus);
+  write_input_members(json, figures.input);
   json.end_object();
   write_signature_figures(json, figures.signature);
   if (figures.map)

@@ -24,11 +24,18 @@ it is too far from it. Or the map is given.
 It writes map.obj (unless the map is given), t_mesh.ply (the T-spline: control points and T-mesh), t_spline.vtu (Bezier
 patches), t_spline.obj (triangles), report.json (all figures) and report.html (figures and pictures).
 
-MESH is an OFF, OBJ, PLY or STL file. Faces that are not triangles are triangulated.
+MESH is an OFF, OBJ, PLY or STL file. Faces that are not triangles are triangulated. Edges that lie on each other are
+one edge, as where vertices are split for normals or uv, or differ by round-off. What was changed is said.
 
 Defaults stand in parentheses.
-  --uv MAP                  a seamless map: an OBJ file with uv (vt) at every corner; nothing of the next two
+  --uv MAP                  a seamless map: an OBJ file with uv (vt) at every corner; nothing of the next three
                             groups of options goes with it
+Mesh:
+  --merge DISTANCE          how far apart vertices at boundary edges may be that are one vertex, by the longest side of
+                            the bounding box (1e-6: round-off of float numbers)
+  --no-merge                vertices are one vertex only if the file says so (STL: if their coordinates are equal)
+  --repair                  removes degenerate and duplicate faces, flat triangles and isolated vertices, turns faces
+                            that are oriented against their neighbours, splits vertices and edges where sheets meet
 Guidance (without any, a smooth cross field is computed, and its cones are reduced):
   --field FILE              a cross field: .rawfield, .crossfield, .rosy or .ffield; its cones are kept
   --cones FILE              cones: .cones, or total angles: .Th_hat
@@ -75,7 +82,8 @@ A fit that ends beyond the tolerance, because more control points do not help or
 summary and the report say so.
 
 Exit code: 0 all was computed and written, 1 the computation or the writing failed, 2 bad usage or bad input,
-130 interrupted. Files are written whole or not at all, and only when all has been computed.
+130 interrupted. Files are written whole or not at all, and only when all has been computed; those of an earlier run that
+this one does not write are removed then.
 )";
 
 enum class Solver_choice { LDLT, CHOLMOD };
@@ -84,6 +92,8 @@ enum class Precision_choice { DOUBLE, EXTENDED, QUAD };
 
 struct Options {
   std::string mesh, uv, field, cones, output_directory = ".";
+  std::optional<double> merge_distance; ///< none: the default of the library
+  bool is_merged = true, is_repaired = false;
   std::optional<std::vector<int>> loops;
   double curvature_alignment = 0;
   std::optional<double> cone_energy; ///< none: the default, which depends on `largest_number_of_cones`

@@ -49,6 +49,8 @@ private:
       check_given_map(options);
     else if (options.mesh.empty())
       m_error = "no mesh is given";
+    else if (!options.is_merged && (options.merge_distance || options.is_repaired))
+      m_error = std::string("--no-merge and ") + (options.is_repaired ? "--repair" : "--merge") + " exclude each other";
     else if (!options.field.empty() && !options.cones.empty())
       m_error = "--field and --cones exclude each other";
     else if (options.loops && options.cones.empty())
@@ -68,6 +70,8 @@ private:
       m_error = "--uv and a mesh exclude each other: the file of the map has the mesh";
     else if (options.is_map_only)
       m_error = "--uv and --map-only leave nothing to do";
+    else if (!m_mesh_option.empty())
+      m_error = m_mesh_option + " does not go with --uv: maps are read as they are";
     else if (!m_map_option.empty())
       m_error = m_map_option + " does not go with --uv: the map is given";
     else if (!m_spline_option.empty() && !options.has_spline)
@@ -79,7 +83,7 @@ private:
     const std::size_t equals = argument.find('=');
     m_name = argument.substr(0, equals);
     m_value = equals == std::string::npos ? std::nullopt : std::optional<std::string>(argument.substr(equals + 1));
-    if (parse_general_option(options) || parse_spline_option(options))
+    if (parse_general_option(options) || parse_spline_option(options) || parse_mesh_option(options))
       return;
     if (parse_computed_field_option(options))
       m_computed_field_option = m_name;
@@ -111,6 +115,21 @@ private:
       options.solver = static_cast<Solver_choice>(choice(value(), {"ldlt", "cholmod"}));
     else
       return false;
+    return true;
+  }
+
+  /// How the mesh is read.
+  bool parse_mesh_option(Options& options)
+  {
+    if (m_name == "--merge")
+      options.merge_distance = number(value());
+    else if (m_name == "--no-merge")
+      parse_flag(options.is_merged, false);
+    else if (m_name == "--repair")
+      parse_flag(options.is_repaired);
+    else
+      return false;
+    m_mesh_option = m_name;
     return true;
   }
 
@@ -258,6 +277,7 @@ private:
   std::string m_name, m_error;
   std::optional<std::string> m_value;
   std::string m_spline_option;         ///< the last option about the T-spline; empty if there was none
+  std::string m_mesh_option;           ///< the last option about reading the mesh; likewise
   std::string m_map_option;            ///< the first option about the computation of the map; likewise
   std::string m_computed_field_option; ///< the last option about the computed field; likewise
 };

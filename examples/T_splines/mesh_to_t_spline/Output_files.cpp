@@ -13,10 +13,15 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstddef>
 #include <deque>
+#include <fstream>
+#include <ios>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -44,6 +49,30 @@ void write_report_page(Sink& sink, const std::string& report, const Results& res
                     results.traced, results.regularized, results.surface_drawing);
 }
 
+/// Whether a file has a name of those that the program writes.
+bool is_name_of_output(const std::string& name)
+{
+  constexpr std::array<std::string_view, 6> fixed = {"map.obj",      "t_mesh.ply",  "t_spline.vtu",
+                                                     "t_spline.obj", "report.json", "report.html"};
+  if (std::find(fixed.begin(), fixed.end(), name) != fixed.end())
+    return true;
+  constexpr std::string_view begin = "level_", end = ".ply";
+  if (name.size() <= begin.size() + end.size() || name.compare(0, begin.size(), begin) != 0 ||
+      name.compare(name.size() - end.size(), end.size(), end) != 0)
+    return false;
+  const std::string number = name.substr(begin.size(), name.size() - begin.size() - end.size());
+  return number.find_first_not_of("0123456789") == std::string::npos && (number == "0" || number[0] != '0');
+}
+
+/// Whether a file begins as `report.json` does.
+bool is_report_of_this_program(const std::filesystem::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::string begin(100, '\0');
+  file.read(&begin[0], static_cast<std::streamsize>(begin.size()));
+  return begin.find("\"program\": \"mesh_to_t_spline\"") != std::string::npos;
+}
+
 /// Files that appear together.
 class Output_files {
 public:
@@ -55,6 +84,7 @@ public:
   template <typename Format>
   void add(const std::string& name, const Format& format, const std::string& title)
   {
+    m_names.insert(name);
     Atomic_file& file = m_files.emplace_back(m_directory / name);
     const auto sink = [&file](const std::string_view text) { file.write(text); };
     format(sink);
@@ -79,6 +109,8 @@ public:
     return {};
   }
 
+  bool has(const std::string& name) const { return m_names.count(name) > 0; }
+
   /// The names as a list in words.
   std::string names() const
   {
@@ -99,7 +131,30 @@ private:
   std::filesystem::path m_directory;
   std::deque<Atomic_file> m_files;
   std::vector<std::string> m_titles;
+  std::set<std::string> m_names;
 };
+
+/// Removes what has a name of this program's files, but is not of this run. \return what went wrong.
+std::string remove_files_of_earlier_run(const std::filesystem::path& directory, const Output_files& files,
+                                        const std::vector<std::string>& inputs)
+{
+  std::error_code error;
+  std::vector<std::filesystem::path> old_files;
+  for (std::filesystem::directory_iterator entry(directory, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    std::error_code ignored; // of files that do not exist
+    const bool is_input = std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
+      return !input.empty() && std::filesystem::equivalent(input, entry->path(), ignored);
+    });
+    if (is_name_of_output(name) && !files.has(name) && !is_input && entry->is_regular_file(ignored))
+      old_files.push_back(entry->path());
+  }
+  for (const std::filesystem::path& path : old_files)
+    if (!error && !std::filesystem::remove(path, error) && error)
+      return "cannot remove " + path.string() + " of an earlier run: " + error.message();
+  return error ? "cannot read " + directory.string() + ": " + error.message() : "";
+}
 
 template <typename Sink, typename Any_t_mesh>
 void format_t_mesh(Sink& sink, const Any_t_mesh& t)
@@ -142,8 +197,8 @@ std::string check_output_directory(const std::filesystem::path& directory)
   return {};
 }
 
-std::string write_output_files(const std::filesystem::path& directory, const Results& results, const Figures& figures,
-                               std::string& names)
+std::string write_output_files(const std::filesystem::path& directory, const std::vector<std::string>& inputs,
+                               const Results& results, const Figures& figures, std::string& names)
 {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
@@ -164,5 +219,7 @@ std::string write_output_files(const std::filesystem::path& directory, const Res
   files.add("report.json", [&report](auto& sink) { sink(report); });
   files.add("report.html", [&](auto& sink) { write_report_page(sink, report, results); });
   names = files.names();
-  return files.commit();
+  const bool has_earlier_run = is_report_of_this_program(directory / "report.json");
+  const std::string failure = files.commit();
+  return failure.empty() && has_earlier_run ? remove_files_of_earlier_run(directory, files, inputs) : failure;
 }

@@ -41,15 +41,13 @@ inline std::size_t peak_memory_bytes()
   return 0;
 }
 
-/// Measures the stages of the run and shows them on a terminal.
+/// Measures the stages of the run and shows each when it ends, on a terminal also while it lasts.
 class Progress {
 public:
-  explicit Progress(const bool is_quiet)
+  explicit Progress(const bool is_quiet) : m_is_quiet(is_quiet)
   {
 #if defined(__unix__) || defined(__APPLE__)
-    m_is_shown = !is_quiet && ::isatty(::fileno(stderr)) != 0;
-#else
-    m_is_shown = false && is_quiet;
+    m_is_live = !is_quiet && ::isatty(::fileno(stderr)) != 0;
 #endif
   }
 
@@ -75,8 +73,12 @@ public:
       stage->seconds += seconds;
       stage->peak_memory_bytes = peak_memory_bytes();
     }
-    if (m_is_shown)
-      std::fprintf(stderr, "\r\033[K%-17s        %8.2f s   %s\n", m_name.c_str(), seconds, m_note.c_str());
+    if (!m_is_quiet) {
+      const char* separator = m_note.empty() ? "" : "   ";
+      std::fprintf(stderr, "%s%-17s        %8.2f s%s%s\n", m_is_live ? "\r\033[K" : "", m_name.c_str(), seconds,
+                   separator, m_note.c_str());
+      std::fflush(stderr);
+    }
     m_name.clear();
     m_note.clear();
   }
@@ -84,7 +86,7 @@ public:
   void progress(const double fraction)
   {
     constexpr double interval = 0.05;
-    if (m_is_shown && seconds_since(m_shown) >= interval)
+    if (m_is_live && seconds_since(m_shown) >= interval)
       show(fraction);
   }
 
@@ -114,7 +116,7 @@ private:
 
   void show(const double fraction)
   {
-    if (!m_is_shown)
+    if (!m_is_live)
       return;
     m_shown = Clock::now();
     std::fprintf(stderr, "\r\033[K%-17s %3.0f %%  %8.2f s   %s", m_name.c_str(), 100 * std::clamp(fraction, 0., 1.),
@@ -122,7 +124,7 @@ private:
     std::fflush(stderr);
   }
 
-  bool m_is_shown;
+  bool m_is_quiet, m_is_live = false;
   std::string m_name, m_note;
   Clock::time_point m_begin = Clock::now(), m_stage_begin = m_begin, m_shown = m_begin;
   std::vector<Figures::Stage> m_stages;

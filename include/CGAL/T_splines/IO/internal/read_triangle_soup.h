@@ -22,8 +22,10 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -179,13 +181,17 @@ private:
   Merged_boundaries m_merged;
 };
 
-/// The next larger number with two decimal digits.
+/// A number that is not less and has two decimal digits.
 inline double rounded_up(const double x)
 {
-  if (!(x > 0))
-    return 0;
-  const double unit = std::pow(10., std::floor(std::log10(x)) - 1);
-  return std::ceil(x / unit * (1 + 1e-12)) * unit; // the factor: round-off of the quotient
+  for (double larger = x;; larger *= 1.01) {
+    std::ostringstream text;
+    text.precision(2);
+    text << larger;
+    const double rounded = std::strtod(text.str().c_str(), nullptr);
+    if (rounded >= x)
+      return rounded;
+  }
 }
 
 /// Tries what would help against a refusal.
