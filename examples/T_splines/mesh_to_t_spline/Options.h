@@ -66,7 +66,7 @@ T-spline:
   --fairness X              the weight of the thin-plate energy against the squared distances, without unit; features
                             smaller than X^(1/4) times the distance between samples are smoothed away (@fairness@)
   --samples N               about how many samples are taken, if the mesh has fewer vertices: every vertex is a sample,
-                            and points inside of large triangles are (20000)
+                            and points inside of large triangles are (20000, and 60 per cone)
   --face-size X             the longest side of the faces of the T-mesh with which the fit begins, measured on the
                             surface, by the diagonal of the bounding box (0.1)
   --levels                  also writes level_0.ply, level_1.ply, ...: the T-splines from coarse to fine on the way

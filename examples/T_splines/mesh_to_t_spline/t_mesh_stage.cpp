@@ -97,6 +97,17 @@ void take_structure(const Exact_map& map, Refined_map& refined, Figures::Signatu
       figures.cones.emplace_back(static_cast<std::size_t>(v), map.quarter_turns(v));
 }
 
+/// As many as the vertices; 20000, so that surfaces look the same on coarse meshes; and enough for the control points in
+/// the rings around all cones, which an assembly of many parts has many of.
+std::size_t default_number_of_samples(const Exact_map& map)
+{
+  constexpr std::size_t least = 20000, samples_per_cone = 60; // three times what cones of k = 3 take in control points
+  const Mesh& mesh = map.mesh();
+  const auto is_cone = [&](const Vertex v) { return map.quarter_turns(v) != (mesh.is_border(v) ? 2 : 4); };
+  const auto cones = static_cast<std::size_t>(std::count_if(mesh.vertices().begin(), mesh.vertices().end(), is_cone));
+  return std::max({least, samples_per_cone * cones, static_cast<std::size_t>(mesh.number_of_vertices())});
+}
+
 /// Takes samples of the mesh, where there is a T-mesh that has not changed since it was traced.
 void take_samples(const Options& options, const Exact_map& map, const std::vector<Place>& places, Surface_t_mesh& t)
 {
@@ -104,8 +115,7 @@ void take_samples(const Options& options, const Exact_map& map, const std::vecto
   const auto add = [&t](const CGAL::T_splines::T_mesh_sample<T_mesh, Kernel>& sample) {
     t.samples.add(sample.place.face, sample.place.u, sample.place.v, {sample.point, sample.weight});
   };
-  const std::size_t number =
-      options.number_of_samples.value_or(std::max<std::size_t>(20000, map.mesh().number_of_vertices()));
+  const std::size_t number = options.number_of_samples.value_or(default_number_of_samples(map));
   CGAL::T_splines::sample_T_mesh(map, t.mesh, t.knots, t.corners, t.anchors, place_map,
                                  boost::make_function_output_iterator(add),
                                  CGAL::T_splines::parameters::number_of_samples(number));

@@ -238,6 +238,27 @@ TEST_CASE("Few samples: the vertices of the mesh, in their places", "[sample]")
   check_samples(map);
 }
 
+TEST_CASE("Small components have enough samples, too", "[sample]")
+{
+  Plain_map plain = folded(net(cube(), 1, Pattern::DIAGONALS));
+  const Plain_map other = plain;
+  const int number_of_vertices = static_cast<int>(plain.points.size());
+  for (const std::array<double, 3>& p : other.points)
+    plain.points.push_back({{10 + 0.01 * p[0], 0.01 * p[1], 0.01 * p[2]}});
+  for (const std::array<int, 3>& t : other.triangles)
+    plain.triangles.push_back({{t[0] + number_of_vertices, t[1] + number_of_vertices, t[2] + number_of_vertices}});
+  plain.uv.insert(plain.uv.end(), other.uv.begin(), other.uv.end());
+  Sampled map(plain);
+  map.sample_about(2000);
+  const auto in_small_cube =
+      std::count_if(map.samples.begin(), map.samples.end(), [](const Sampled::Sample& s) { return s.point.x() > 5; });
+  CHECK(in_small_cube > 450);
+  CHECK(in_small_cube < 550);
+  CHECK(map.samples.size() > 2400);
+  CHECK(map.samples.size() < 2600);
+  CHECK(map.weight() == Approx(map.area()).epsilon(1e-12));
+}
+
 TEST_CASE("Points inside of triangles lie between the vertices", "[sample]")
 {
   const std::set<std::array<int, 3>> l = {{{0, 0, 0}}, {{1, 0, 0}}, {{2, 0, 0}}, {{0, 1, 0}}};

@@ -4,6 +4,7 @@
 #ifndef CGAL_T_SPLINES_T_MESH_SAMPLE_T_MESH_H
 #define CGAL_T_SPLINES_T_MESH_SAMPLE_T_MESH_H
 
+#include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
 #include <CGAL/T_splines/Similarity_map/Seamless_map.h>
 #include <CGAL/T_splines/Similarity_map/internal/Seamless_layout.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
@@ -31,6 +32,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -54,8 +56,6 @@ public:
       m_face_index(get(CGAL::dynamic_face_property_t<int>(), t_mesh)),
       m_triangles(layout)
   {
-    for (int t = 0; t < m_mesh.number_of_faces(); ++t)
-      m_area += area(t);
   }
 
   /// Places the T-mesh.
@@ -77,11 +77,12 @@ public:
   template <typename Sample>
   void sample_triangles(const std::size_t number_of_samples, std::vector<Sample>& inner)
   {
-    Triangle_samples chosen(std::sqrt(m_area / static_cast<double>(number_of_samples)));
+    const Mesh_components components = mesh_components(m_mesh);
+    std::vector<Triangle_samples> chosen = samples_of_components(components, static_cast<double>(number_of_samples));
     m_weights.assign(m_points.size(), 0);
     for (int t = 0; t < m_mesh.number_of_faces(); ++t) {
       const double area_of_triangle = area(t);
-      const auto& points = chosen.points(squared_lengths(t), area_of_triangle);
+      const auto& points = chosen[components.of_face[t]].points(squared_lengths(t), area_of_triangle);
       const double weight = area_of_triangle / static_cast<double>(3 + points.size());
       for (const int v : corners(t))
         m_weights[v] += weight;
@@ -102,6 +103,20 @@ public:
   }
 
 private:
+  /// The components share half of the samples equally, if they do not have as many by their area.
+  std::vector<Triangle_samples> samples_of_components(const Mesh_components& components, const double number) const
+  {
+    std::vector<double> areas(components.size(), 0);
+    for (int t = 0; t < m_mesh.number_of_faces(); ++t)
+      areas[components.of_face[t]] += area(t);
+    const double total = std::accumulate(areas.begin(), areas.end(), 0.);
+    const double least = number / (2 * static_cast<double>(components.size()));
+    std::vector<Triangle_samples> result;
+    for (const double area : areas)
+      result.emplace_back(std::sqrt((std::min)(total / number, area / least)));
+    return result;
+  }
+
   std::array<int, 3> corners(const int t) const
   {
     const int h = m_mesh.halfedge_of_face(t), g = m_mesh.next(h);
@@ -152,7 +167,6 @@ private:
   std::vector<Face> m_faces;
   std::vector<std::array<double, 2>> m_sizes; // of the faces
   Face_triangles<FT> m_triangles;
-  double m_area = 0;
   std::vector<double> m_weights; // of the vertices
 };
 
@@ -162,7 +176,8 @@ private:
 /// what splines are fitted to.
 ///
 /// First come the vertices of the mesh, in their order. Then come points inside of those triangles that are large:
-/// where these are compact, neighboring points are about the square root of area / `number_of_samples` apart. Each
+/// where these are compact, neighboring points are about the square root of area / `number_of_samples` apart. They are
+/// denser on components that would have less than `number_of_samples` / (2 * number of components) otherwise. Each
 /// triangle shares its area equally among its corners and the points inside of it; so the weights add up to the area of
 /// the surface. Each place is in the closed rectangle of its face. The same input gives the same samples.
 ///
@@ -178,7 +193,7 @@ private:
 ///   `CGAL::parameters::vertex_point_map`: points of the mapped mesh (default: its internal map);
 ///   `T_splines::parameters::number_of_samples`: about how many samples a surface with few vertices gets, positive
 ///     (default: 20000, or the number of vertices if that is larger); there are at most as many more as there are
-///     vertices, up to rounding
+///     vertices, up to rounding, and half as many again if there are several components
 /// \return `out` after the last sample.
 /// \pre neither the T-mesh nor its anchors have changed since it was traced
 /// Complexity: linear in the size of the meshes, and, summed over all triangles, in the number of times that faces
