@@ -203,6 +203,8 @@ int main(const int argc, char** argv)
     error = "--solver cholmod: this program was built without CHOLMOD";
   if (error.empty())
     error = check_output_directory(options.output_directory);
+  if (error.empty())
+    error = check_input_stays(options);
   if (!error.empty()) {
     std::cerr << "mesh_to_t_spline: " << error << "\nmesh_to_t_spline --help tells the usage.\n";
     return exit_bad_input;

@@ -197,6 +197,23 @@ std::string check_output_directory(const std::filesystem::path& directory)
   return {};
 }
 
+std::string check_input_stays(const Options& options)
+{
+  const std::filesystem::path input = options.input_file();
+  const std::string name = input.filename().string();
+  const bool is_written =
+      name == "map.obj"                                  ? options.uv.empty()
+      : name == "t_mesh.ply"                             ? !options.is_map_only
+      : name == "t_spline.vtu" || name == "t_spline.obj" ? options.has_spline && !options.is_map_only
+      : name == "report.json" || name == "report.html"   ? true
+                                                         : options.has_levels && is_name_of_output(name);
+  std::error_code error; // if one of them does not exist
+  const std::filesystem::path output = std::filesystem::path(options.output_directory) / name;
+  if (!is_written || !std::filesystem::equivalent(input, output, error))
+    return {};
+  return "the output would replace the input " + input.string() + "; choose another directory with -o";
+}
+
 std::string write_output_files(const std::filesystem::path& directory, const std::vector<std::string>& inputs,
                                const Results& results, const Figures& figures, std::string& names)
 {

@@ -5,6 +5,7 @@
 #define MESH_TO_T_SPLINE_OUTPUT_FILES_H
 
 #include "Figures.h"
+#include "Options.h"
 #include "Results.h"
 
 #include <filesystem>
@@ -13,6 +14,9 @@
 
 /// \return why nothing can be written to the directory, as far as this can be told beforehand; empty if all seems well.
 std::string check_output_directory(const std::filesystem::path& directory);
+
+/// \return that the run would replace its own input; empty if it would not.
+std::string check_input_stays(const Options& options);
 
 /// Writes all files of the run, or none. Then removes those that an earlier run has left in the directory and this one
 /// does not write: they have the names of files of this program, and `report.json` tells that there was such a run.

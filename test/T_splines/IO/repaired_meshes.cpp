@@ -173,6 +173,9 @@ TEST_CASE("what a repair does not mend is refused")
   Soup open = box();
   open.faces.pop_back();
   CHECK(Read_soup(open, ".off", repairing).report.status == Status::BOUNDARY);
+  Soup eight = box();
+  eight.faces[0] = {0, 2, 3, 1, 2, 6};
+  CHECK(Read_soup(eight, ".off", repairing).report.status == Status::REPEATED_VERTEX);
   Soup nothing;
   nothing.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   nothing.faces = {{0, 1, 1}};

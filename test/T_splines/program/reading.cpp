@@ -170,3 +170,19 @@ TEST_CASE("files in a directory without an earlier run, and input files, are not
   REQUIRE(Program_run(arguments).exit_code == 0); // now there is an earlier run
   CHECK(files_of(output) == Names{"map.obj", "report.html", "report.json", "t_mesh.ply"});
 }
+
+TEST_CASE("a run does not replace its own input")
+{
+  const Temporary_directory directory;
+  const std::string folder = directory.path().string();
+  for (const char* name : {"map.obj", "t_mesh.ply", "t_spline.obj", "level_3.ply"}) {
+    box().write(folder + "/" + name);
+    const std::string content = file_content(folder + "/" + name);
+    const Program_run run("'" + folder + "/" + name + "' --levels -o '" + folder + "/.'");
+    CAPTURE(name, run.errors);
+    CHECK(run.exit_code == 2);
+    CHECK(contains(run.errors, "the output would replace the input"));
+    CHECK(file_content(folder + "/" + name) == content);
+  }
+  CHECK(Program_run("'" + folder + "/t_spline.obj' --map-only -o '" + folder + "'").exit_code == 0);
+}

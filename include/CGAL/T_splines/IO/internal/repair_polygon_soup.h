@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/IO/Mesh_reading_report.h>
 #include <CGAL/T_splines/IO/internal/Boundary_sides.h>
+#include <CGAL/T_splines/IO/internal/check_polygon_soup.h>
 #include <CGAL/T_splines/IO/internal/edit_polygon_soup.h>
 #include <CGAL/T_splines/IO/internal/merge_boundaries.h>
 
@@ -206,7 +207,8 @@ inline Merged_boundaries repair_polygon_soup(const double distance, const double
   Merged_boundaries result = merge_boundaries(distance, round_off, Merge_conflicts::ADMITTED, soup);
   remove_degenerate_polygons(soup, repairs);
   remove_duplicate_polygons(soup, repairs);
-  orient_polygons(soup, repairs);
+  if (Polygon_soup_checker(soup, true).check_polygons().success()) // else some are no simple cycles, and are refused
+    orient_polygons(soup, repairs);
   const Merged_boundaries second = merge_boundaries(distance, round_off, Merge_conflicts::AVOIDED, soup);
   remove_isolated_points(soup, repairs);
 
