@@ -67,7 +67,7 @@ public:
       attribute(m_surface.domain(sample.patch).face, distance);
       folds.visit(sample);
     };
-    distances.measure(number_of_samples(), sum, visit);
+    distances.measure(number_of_surface_samples(), sum, visit);
     distances.search(number_of_steps(), visit);
     folds.search();
 
@@ -94,7 +94,7 @@ public:
     using Sample = typename Distances_to_surface<Measured>::Sample;
     Distance_sum sum(m_report.tolerance);
     const auto visit = [&](const Sample& sample) { attribute(sample.foot.face, sample.foot.distance); };
-    distances.measure(number_of_samples(), sum, m_vertex_distances, visit);
+    distances.measure(number_of_mesh_samples(), sum, m_vertex_distances, visit);
     distances.search(number_of_steps(), visit);
 
     One_way_deviation& result = m_report.mesh_to_surface;
@@ -117,19 +117,24 @@ private:
   // Of the cells that means are taken from.
   double smallest_size() const { return 1e-4 * m_extent; }
 
-  // Enough for means: some per patch and triangle, but not without limit.
-  double number_of_samples() const
+  // Enough for means. On the surface some per patch and triangle, but not without limit; on the mesh more, as distances
+  // are largest next to sharp edges.
+  double number_of_surface_samples() const
   {
     const double triangles = static_cast<double>(m_mesh.triangles.size()),
                  patches = static_cast<double>(m_surface.number_of_patches());
     return (std::max)(std::clamp(20 * patches + 2 * triangles, 20000., 60000.), 0.5 * triangles);
+  }
+  double number_of_mesh_samples() const
+  {
+    return (std::max)(100000., 0.5 * static_cast<double>(m_mesh.triangles.size()));
   }
 
   // Where distances are almost constant, the search would not end soon.
   std::size_t number_of_steps() const
   {
     constexpr double smallest_number = 60000;
-    return static_cast<std::size_t>((std::max)(number_of_samples() / 2, smallest_number));
+    return static_cast<std::size_t>((std::max)(number_of_mesh_samples() / 2, smallest_number));
   }
 
   void attribute(const int face, const double distance)

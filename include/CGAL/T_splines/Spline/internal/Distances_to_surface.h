@@ -153,7 +153,7 @@ private:
 
   double cell_size(const std::size_t patch) const
   {
-    return 0.5 * (std::min)(m_surface.size(patch)[0], m_surface.size(patch)[1]);
+    return 0.3 * (std::min)(m_surface.size(patch)[0], m_surface.size(patch)[1]);
   }
 
   bool is_small(const Part& part, const double smallest) const

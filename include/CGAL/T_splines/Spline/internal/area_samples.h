@@ -35,7 +35,7 @@ inline double length_of_longest_side(const Triangle_set::Triangle_3& t)
 /// \param size the smallest size wanted, positive
 inline double affordable_size(const Triangle_set& set, double size, const double number_of_samples)
 {
-  for (;; size *= 2) {
+  for (;; size *= 1.25) {
     double number = 0;
     for (std::size_t i = 0; i < set.triangles.size(); ++i) {
       const Triangle_set::Triangle_3 t = set.triangle(i);
