@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/Surface_face_size.h>
 
+#include "Spline/Spline_mesh.h"
 #include "T_mesh/Development.h"
 #include "T_mesh/Traced_map.h"
 #include "T_mesh/test_t_meshes.h"
@@ -21,6 +22,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <string>
@@ -213,6 +215,31 @@ TEST_CASE("refined T-meshes become spline compatible", "[make_spline_compatible]
     refine_T_mesh(t.mesh, t.knots(), t.corners(), size, 0.01, CGAL::parameters::number_of_iterations(splits));
     make_and_check(t.mesh, t.knots(), t.corners());
   }
+}
+
+TEMPLATE_TEST_CASE("T-meshes that spiral become spline compatible, by few splits", "[make_spline_compatible]", Rational,
+                   double)
+{
+  using FT = TestType;
+  using Mesh = test_t_meshes::T_mesh<Surface_mesh, FT>;
+  using Editor = CGAL::T_splines::T_mesh_editor<Surface_mesh, typename Mesh::Knot_map, typename Mesh::Corner_map>;
+  CGAL::Random random(1);
+  for (const FT& scale : {FT(3) / FT(2), FT(9) / FT(8), FT(4)})
+    for (const bool is_turning : {false, true})
+      for (const int splits : {0, 1, 2, 5, 12, 40}) {
+        INFO("scale " << scale << (is_turning ? ", turning, " : ", ") << splits << " splits");
+        Mesh t(is_turning ? spline_tests::turning_pinwheel<FT>(scale) : test_t_meshes::pinwheel<FT>(scale));
+        Editor editor(t.mesh, t.knots(), t.corners());
+        for (int i = 0; i < splits; ++i) { // anywhere: the faces may be long and narrow
+          const auto f = *std::next(faces(t.mesh).begin(), random.get_int(0, static_cast<int>(num_faces(t.mesh))));
+          const int axis = random.get_int(0, 2);
+          const FT size = axis == 0 ? editor.coordinates().width(f) : editor.coordinates().height(f);
+          editor.split_face(f, axis, FT(size * FT(random.get_int(1, 16)) / FT(16)));
+        }
+        const auto report = make_and_check(t.mesh, t.knots(), t.corners());
+        CHECK(report.splits_for_rings + report.splits_of_reaching_supports == 0);
+        CHECK(report.splits_of_endless_supports <= 100); // faces of half their distance from the centre
+      }
 }
 
 TEST_CASE("T-meshes of files become spline compatible", "[make_spline_compatible]")

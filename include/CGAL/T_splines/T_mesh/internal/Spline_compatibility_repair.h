@@ -11,6 +11,7 @@
 
 #include <CGAL/number_type_basic.h>
 
+#include <boost/container_hash/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <numeric>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -71,6 +73,9 @@ class Spline_compatibility_repair {
   using Indexing = Mesh_indexing<Graph>;
   static constexpr int none = -1;
 
+  // Each is at most a third of the one before. With knots that are not quite admissible they might never be regular.
+  static constexpr int most_rings = 20;
+
 public:
   explicit Spline_compatibility_repair(Splits& splits)
     : m_splits(splits),
@@ -121,6 +126,8 @@ private:
     State<KnotFT> state(m_splits);
     if (insert_rings(state))
       return Result::CHANGED;
+    if (m_is_stuck)
+      return Result::STUCK;
     find_cones_of_faces(state);
     find_candidates(state);
     m_splits.touched().clear();
@@ -153,7 +160,9 @@ private:
       if (std::find(cones.begin(), cones.end(), v) == cones.end())
         cones.push_back(v);
     m_cones_to_do.clear();
-    if (cones.empty())
+    const auto is_hopeless = [this](const vertex_descriptor v) { return ++m_times[v] > most_rings; };
+    m_is_stuck = !cones.empty() && std::all_of(cones.begin(), cones.end(), is_hopeless);
+    if (cones.empty() || m_is_stuck)
       return false;
     const std::size_t before = m_splits.count();
     Ring_insertion<Splits>(m_splits).run(cones);
@@ -449,7 +458,8 @@ private:
   Splits& m_splits;
   typename Splits::Position m_split_position;
   Spline_repair_counts m_counts;
-  bool m_checks_all = true;
+  bool m_checks_all = true, m_is_stuck = false;
+  std::unordered_map<vertex_descriptor, int, boost::hash<vertex_descriptor>> m_times; // rings were made there
   std::vector<vertex_descriptor> m_candidates, m_cones_to_do;
 };
 
