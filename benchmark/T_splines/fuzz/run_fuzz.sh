@@ -23,8 +23,8 @@ PROGRAM is mesh_to_t_spline; the OPTIONs go to it. DIRECTORY holds OFF files. Ea
   slow      more than 60 seconds
   crash     any other exit code, a signal, or no message
 
-The last four are faults: the script ends with 1 if there are any. --sample N takes N of the meshes, evenly from the
-list. With --check, the program check_surface measures each surface that is "within".
+The last four are faults: the script ends with 1 if there are any. --sample N takes N of the meshes, of all
+kinds alike. With --check, the program check_surface measures each surface that is "within".
 END
 }
 
@@ -117,9 +117,10 @@ run()
 
 meshes=("$directory"/*.off)
 if [ "$sample" -gt 0 ]; then
+  # Steps of a prime that is longer than the list meet every kind as often.
   all=("${meshes[@]}") meshes=()
   for ((i = 0; i < sample && i < ${#all[@]}; ++i)); do
-    meshes+=("${all[$((i * ${#all[@]} / sample))]}")
+    meshes+=("${all[$((i * 7919 % ${#all[@]}))]}")
   done
 fi
 printf 'mesh\tending\texit_code\tseconds\tcontrol_points\tmaximum\tmessage\n' >"$results"
