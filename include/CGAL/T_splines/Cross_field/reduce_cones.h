@@ -125,7 +125,8 @@ void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& ener
 ///        - `visitor`: see `Progress_visitor`
 /// \return what was done. Equal input gives equal results.
 /// Complexity: with m cones, a sparse factorization of one row per vertex and m + 2g + 1 solves, O(m^2) numbers of
-/// memory, O(m^2) per merge, and if g > 0 at most two searches of shortest paths per cone.
+/// memory, O(m^2) per merge, and if g > 0 at most two searches of shortest paths per cone. Where m^2 g exceeds some
+/// millions only the nearest cones are merged with each other, from at least eight per cone to all when few are left.
 template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Cone_reduction_report<TriangleMesh> reduce_cones(const TriangleMesh& mesh, Holonomy_signature<TriangleMesh>& signature,
                                                  const NamedParameters& np = CGAL::parameters::default_values())
@@ -149,7 +150,7 @@ Cone_reduction_report<TriangleMesh> reduce_cones(const TriangleMesh& mesh, Holon
   const std::vector<std::vector<int>> strips = internal::strips_of(closed_mesh.m_indexing, signature);
   auto&& solver = internal::sparse_linear_solver(np);
   internal::Scale_energy<std::remove_reference_t<decltype(solver)>> energy(
-    closed_mesh.m_connectivity, closed_mesh.m_geometry, closed_mesh.m_components, strips, solver);
+      closed_mesh.m_connectivity, closed_mesh.m_geometry, closed_mesh.m_components, strips, solver);
   bool is_interrupted = false;
   if (!energy.compute(vertices, visitor, is_interrupted))
     report.status = Cone_reduction_status::SOLVER_FAILED;

@@ -9,7 +9,9 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <map>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -18,9 +20,12 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// How often shortest paths of edges from cone to cone cross loops. Searches are only made when a path is asked for:
-/// the first one from a cone goes as far as it has to, the second one everywhere.
+/// How often shortest paths of edges from cone to cone cross loops. Searches are only made when a path is asked for: the
+/// first one from a cone goes as far as it has to, the second one everywhere. Between two cones there is one path,
+/// whichever way it is asked for.
 class Cone_paths {
+  static constexpr int null = Triangulation_connectivity::null;
+
 public:
   /// \param vertices per cone
   /// \param strips the loops
@@ -30,8 +35,8 @@ public:
       m_vertices(vertices),
       m_number_of_loops(strips.size()),
       m_distances(mesh, edge_length),
-      m_cone_of_vertex(mesh.number_of_vertices(), Triangulation_connectivity::null),
-      m_crossings(vertices.size())
+      m_cone_of_vertex(mesh.number_of_vertices(), null),
+      m_number_of_searches(vertices.size(), 0)
   {
     for (std::size_t i = 0; i < vertices.size(); ++i)
       m_cone_of_vertex[vertices[i]] = static_cast<int>(i);
@@ -41,36 +46,72 @@ public:
   }
 
   /// For each loop, how often it enters faces by halfedges of the path, minus how often by their opposites.
-  /// \pre The cones belong to the same component, and there are loops.
-  const std::vector<int>& crossings(const int from, const int to)
+  /// \pre The cones belong to the same component, are not forgotten, and there are loops.
+  std::vector<int> crossings(const int from, const int to)
   {
     CGAL_precondition(m_number_of_loops > 0);
-    std::vector<std::vector<int>>& known = m_crossings[from];
-    const bool is_first_search = known.empty();
-    known.resize(m_vertices.size());
-    if (known[to].empty()) {
-      m_distances.search(m_vertices[from], [&](const int v, double) {
-        const int cone = m_cone_of_vertex[v];
-        if (cone != Triangulation_connectivity::null && known[cone].empty())
-          known[cone] = crossings_of_path_to(v);
-        return cone != to || !is_first_search;
-      });
+    if (from > to) {
+      std::vector<int> result = crossings(to, from);
+      for (int& number : result)
+        number = -number;
+      return result;
     }
-    return known[to];
+    auto known = m_known.find({from, to});
+    if (known == m_known.end()) {
+      const bool is_first_search = m_number_of_searches[from]++ == 0;
+      m_distances.search(m_vertices[from], [&](const int v, double) {
+        record(from, v);
+        return m_cone_of_vertex[v] != to || !is_first_search;
+      });
+      known = m_known.find({from, to});
+    }
+    return known->second;
+  }
+
+  /// computes the `number` cones that are nearest to `from`, by increasing distance, or fewer if there are no more.
+  std::vector<int> nearest(const int from, const int number)
+  {
+    std::vector<int> result;
+    m_distances.search(m_vertices[from], [&](const int v, double) {
+      const int cone = m_cone_of_vertex[v];
+      if (cone != null && cone != from) {
+        result.push_back(cone);
+        record(from, v);
+      }
+      return static_cast<int>(result.size()) < number;
+    });
+    return result;
+  }
+
+  /// takes a cone that has become regular out of all later searches.
+  void forget(const int cone) { m_cone_of_vertex[m_vertices[cone]] = null; }
+
+  /// gives up all that is known, and with it the memory.
+  void restart()
+  {
+    m_known.clear();
+    std::fill(m_number_of_searches.begin(), m_number_of_searches.end(), 0);
   }
 
 private:
-  std::vector<int> crossings_of_path_to(const int v) const
+  // Notes the path to a vertex that the search from cone `from` has reached, if there is a cone and no path yet.
+  void record(const int from, const int v)
   {
-    std::vector<int> result(m_number_of_loops, 0);
+    const int cone = m_cone_of_vertex[v];
+    if (cone == null || cone == from)
+      return;
+    std::vector<int>& crossings = m_known[std::minmax(from, cone)];
+    if (!crossings.empty())
+      return;
+    crossings.assign(m_number_of_loops, 0);
+    const int direction = from < cone ? 1 : -1;
     for (const int h : m_distances.path_to(v)) {
       const auto passages = m_passages.find(m_mesh.edge(h));
       if (passages == m_passages.end())
         continue;
       for (const auto& [loop, sign] : passages->second)
-        result[loop] += h % 2 == 0 ? sign : -sign;
+        crossings[loop] += h % 2 == 0 ? direction * sign : -direction * sign;
     }
-    return result;
   }
 
   const Triangulation_connectivity& m_mesh;
@@ -79,7 +120,8 @@ private:
   Edge_distances m_distances;
   std::vector<int> m_cone_of_vertex;
   std::unordered_map<int, std::vector<std::pair<int, int>>> m_passages; // per edge: the loops through its even halfedge
-  std::vector<std::vector<std::vector<int>>> m_crossings;               // per pair of cones; empty if not known
+  std::vector<int> m_number_of_searches;                                // per cone: that went as far as they had to
+  std::map<std::pair<int, int>, std::vector<int>> m_known;              // per pair of cones, the smaller index first
 };
 
 } // namespace internal

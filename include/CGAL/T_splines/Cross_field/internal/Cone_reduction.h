@@ -9,8 +9,10 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -49,6 +51,9 @@ struct Cones_and_loops {
 /// G_b): no system has to be solved. The second part, of the loops, is 1/2 |y|^2 for a vector y that changes by t d,
 /// where d depends on the path from a to b. It cannot decrease by more than itself: paths of merges whose first part is
 /// too large for that are not needed.
+///
+/// The vectors d are kept. Where those of all pairs, on surfaces of high genus, would take too much memory, only merges
+/// of cones that are near to each other are tried; the fewer cones are left, the more of them.
 /// \tparam ScaleEnergy see `Scale_energy`
 /// \tparam Paths see `Cone_paths`
 template <typename ScaleEnergy, typename Paths>
@@ -72,6 +77,7 @@ public:
       m_total += 0.5 * curvature(i) * (m_potential[i] - energy.defect_potential(i));
       m_cones.push_back(i);
     }
+    m_partners.resize(n);
     for (int l = 0; l < energy.number_of_loops(); ++l) {
       m_period[l] = signature.loop_quarter_turns[l] * quarter_turn + energy.loop_residual(l);
       for (int i = 0; i < n; ++i)
@@ -84,12 +90,18 @@ public:
   /// merges cones until the limits allow no more. Complexity: O(n^2) per merge, and what the paths cost.
   void reduce(const Cone_reduction_limits& limits)
   {
+    find_partners(number_of_partners());
     for (;;) {
       const bool is_demanded = number_of_cones() > limits.number_of_cones;
       const Cone_move move = is_demanded ? demanded_move() : cheapest_merge(usual_range);
-      if (move.is_null() || (!is_demanded && !(move.energy_change <= limits.energy_change)))
+      const bool is_acceptable = !move.is_null() && (is_demanded || move.energy_change <= limits.energy_change);
+      if (is_acceptable)
+        apply(move);
+      const int more_partners = is_demanded && !is_acceptable ? 2 * m_number_of_partners : number_of_partners();
+      if (!m_pairs_are_all && more_partners >= (is_acceptable ? 2 : 1) * m_number_of_partners + (is_acceptable ? 0 : 1))
+        find_partners(more_partners);
+      else if (!is_acceptable)
         return;
-      apply(move);
     }
   }
 
@@ -101,6 +113,39 @@ public:
 private:
   using Range = std::pair<int, int>;
   static constexpr Range usual_range{3, 6};
+
+  // How many partners per cone there is memory for.
+  int number_of_partners() const
+  {
+    constexpr std::size_t most_numbers = 1 << 23;
+    constexpr std::size_t fewest = 8;
+    const std::size_t per_partner = (std::max)(m_period.size() * m_cones.size(), std::size_t(1));
+    return static_cast<int>((std::max)(most_numbers / per_partner, fewest));
+  }
+
+  // Chooses with which cones each one may be merged: all others, or the nearest ones.
+  void find_partners(const int number)
+  {
+    m_number_of_partners = number;
+    m_pairs_are_all = m_period.empty() || number_of_cones() <= 2 * number;
+    m_directions.clear();
+    if (!m_period.empty())
+      m_paths.restart();
+    for (std::vector<int>& partners : m_partners)
+      partners.clear();
+    if (m_pairs_are_all)
+      return;
+    for (const int a : m_cones) {
+      for (const int b : m_paths.nearest(a, number)) {
+        m_partners[a].push_back(b);
+        m_partners[b].push_back(a);
+      }
+    }
+    for (std::vector<int>& partners : m_partners) {
+      std::sort(partners.begin(), partners.end());
+      partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
+    }
+  }
 
   double curvature(const int i) const { return (regular - m_signature.quarter_turns[i]) * quarter_turn; }
 
@@ -118,27 +163,54 @@ private:
            0.5 * t * t * (m_energy.interaction(a, a) - 2 * m_energy.interaction(a, b) + m_energy.interaction(b, b));
   }
 
-  // Computes what a move adds to y into `m_period_change`.
-  void compute_period_change(const Cone_move& move)
+  // What merging the first cone of a pair into the second one adds to y, for a curvature of 1; `from` < `to`.
+  struct Direction {
+    std::vector<double> change; // d
+    double length = 0;          // |d|
+  };
+
+  const Direction& direction(const int from, const int to)
   {
-    m_period_change.assign(m_period.size(), 0.);
-    if (m_period.empty())
-      return;
-    const double t = move.quarter_turns * quarter_turn;
-    const std::vector<int>& crossings = m_paths.crossings(move.from, move.to);
-    for (int l = 0; l < static_cast<int>(m_period.size()); ++l)
-      m_period_change[l] =
-        t * (m_energy.loop_potential(l, move.from) - m_energy.loop_potential(l, move.to) - crossings[l]);
-    m_energy.to_orthonormal(m_period_change);
+    Direction& direction = m_directions[{from, to}];
+    if (direction.change.empty()) {
+      const std::vector<int> crossings = m_paths.crossings(from, to);
+      direction.change.resize(m_period.size());
+      for (int l = 0; l < static_cast<int>(m_period.size()); ++l)
+        direction.change[l] = m_energy.loop_potential(l, from) - m_energy.loop_potential(l, to) - crossings[l];
+      m_energy.to_orthonormal(direction.change);
+      direction.length = std::sqrt(scalar_product(direction.change, direction.change));
+    }
+    return direction;
+  }
+
+  static double scalar_product(const std::vector<double>& a, const std::vector<double>& b)
+  {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+  }
+
+  // The curvature that a move carries in the direction of its pair.
+  static double directed_curvature(const Cone_move& move)
+  {
+    return (move.from < move.to ? move.quarter_turns : -move.quarter_turns) * quarter_turn;
   }
 
   double loop_energy_change(const Cone_move& move)
   {
-    compute_period_change(move);
-    double result = 0;
-    for (std::size_t l = 0; l < m_period.size(); ++l)
-      result += (m_period[l] + 0.5 * m_period_change[l]) * m_period_change[l];
-    return result;
+    if (m_period.empty())
+      return 0;
+    const Direction& d = direction((std::min)(move.from, move.to), (std::max)(move.from, move.to));
+    const double t = directed_curvature(move);
+    return t * scalar_product(m_period, d.change) + 0.5 * t * t * d.length * d.length;
+  }
+
+  // A lower bound of the same, which does not need paths that are not known. \param length |y|
+  double least_loop_energy_change(const Cone_move& move, const double length) const
+  {
+    const auto known = m_directions.find(std::minmax(move.from, move.to));
+    if (known == m_directions.end())
+      return -0.5 * length * length;
+    const double change = std::abs(directed_curvature(move)) * known->second.length;
+    return change * (0.5 * change - length);
   }
 
   // Whether `a` is tried later than `b`: more expensive, or, for equal results everywhere, of higher indices.
@@ -154,26 +226,26 @@ private:
   Cone_move cheapest_move(const Turns& turns)
   {
     m_candidates.clear();
+    const double length = std::sqrt(2 * loop_energy());
     for (const int a : m_cones) {
-      for (const int b : m_cones) {
-        if (a == b || m_signature.component[a] != m_signature.component[b])
+      for (const int b : m_pairs_are_all ? m_cones : m_partners[a]) {
+        if (a == b || m_signature.component[a] != m_signature.component[b] || m_signature.quarter_turns[b] == regular)
           continue;
         Cone_move move{a, b, turns(m_signature.quarter_turns[a], m_signature.quarter_turns[b]), 0.};
         if (move.quarter_turns == 0)
           continue;
-        move.energy_change = cone_energy_change(move);
+        move.energy_change = cone_energy_change(move) + least_loop_energy_change(move, length);
         m_candidates.push_back(move);
       }
     }
     std::make_heap(m_candidates.begin(), m_candidates.end(), is_later);
-    const double largest_gain = loop_energy();
     Cone_move cheapest;
     while (!m_candidates.empty() &&
-           (cheapest.is_null() || m_candidates.front().energy_change - largest_gain < cheapest.energy_change)) {
+           (cheapest.is_null() || m_candidates.front().energy_change <= cheapest.energy_change)) {
       std::pop_heap(m_candidates.begin(), m_candidates.end(), is_later);
       Cone_move move = m_candidates.back();
       m_candidates.pop_back();
-      move.energy_change += loop_energy_change(move);
+      move.energy_change = cone_energy_change(move) + loop_energy_change(move);
       if (cheapest.is_null() || is_later(cheapest, move))
         cheapest = move;
     }
@@ -207,16 +279,22 @@ private:
   void apply(const Cone_move& move)
   {
     const double t = move.quarter_turns * quarter_turn;
-    compute_period_change(move);
-    for (std::size_t l = 0; l < m_period.size(); ++l) {
-      m_period[l] += m_period_change[l];
-      m_signature.loop_quarter_turns[l] -= move.quarter_turns * m_paths.crossings(move.from, move.to)[l];
+    if (!m_period.empty()) {
+      const Direction& d = direction((std::min)(move.from, move.to), (std::max)(move.from, move.to));
+      const std::vector<int> crossings = m_paths.crossings(move.from, move.to);
+      for (std::size_t l = 0; l < m_period.size(); ++l) {
+        m_period[l] += directed_curvature(move) * d.change[l];
+        m_signature.loop_quarter_turns[l] -= move.quarter_turns * crossings[l];
+      }
     }
     m_signature.quarter_turns[move.from] -= move.quarter_turns;
     m_signature.quarter_turns[move.to] += move.quarter_turns;
     CGAL_assertion(m_signature.quarter_turns[move.to] >= 1);
     m_total += move.energy_change;
     m_moves.push_back(move);
+    for (const int i : {move.from, move.to})
+      if (m_signature.quarter_turns[i] == regular)
+        m_paths.forget(i);
     m_cones.erase(std::remove_if(m_cones.begin(), m_cones.end(),
                                  [this](const int i) { return m_signature.quarter_turns[i] == regular; }),
                   m_cones.end());
@@ -229,8 +307,11 @@ private:
   Cones_and_loops m_signature;
   std::vector<double> m_potential; // per cone: u
   std::vector<double> m_period;    // per loop: y
-  std::vector<double> m_period_change;
-  std::vector<int> m_cones;        // those that are not regular, by increasing index
+  std::map<std::pair<int, int>, Direction> m_directions;
+  std::vector<std::vector<int>> m_partners; // per cone, unless all pairs are tried
+  int m_number_of_partners = 0;
+  bool m_pairs_are_all = true;
+  std::vector<int> m_cones; // those that are not regular, by increasing index
   std::vector<Cone_move> m_candidates;
   std::vector<Cone_move> m_moves;
   double m_total = 0;

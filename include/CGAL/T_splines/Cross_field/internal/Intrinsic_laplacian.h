@@ -26,21 +26,33 @@ class Intrinsic_laplacian {
   static constexpr int null = Triangulation_connectivity::null;
 
 public:
-  /// \param forms closed 1-forms on `mesh`, which are carried over to the Delaunay triangulation
+  using Sparse_form = std::vector<std::pair<int, double>>; ///< edges and values
+
+  /// \param strips closed strips of triangles on `mesh`, whose crossing forms are carried over to the Delaunay triangulation
   Intrinsic_laplacian(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry,
-                      const Mesh_components& components, std::vector<std::vector<double>> forms)
-    : m_forms(std::move(forms)), m_row(mesh.number_of_vertices(), 0)
+                      const Mesh_components& components, const std::vector<std::vector<int>>& strips)
+    : m_forms(strips.size()),
+      m_row(mesh.number_of_vertices(), 0)
   {
     m_surface.m_mesh = mesh;
     m_surface.m_length = geometry.m_edge_length;
-    flip_to_delaunay(m_surface, [this](const int h, const int h1, const int /*h2*/, const int /*g1*/, const int g2) {
-      for (std::vector<double>& form : m_forms)
-        form[h / 2] = value(form, g2) + value(form, h1);
+    std::vector<Sparse_form> on_edge(mesh.number_of_edges()); // forms and values
+    for (std::size_t l = 0; l < strips.size(); ++l)
+      for (const int h : strips[l])
+        add_value(on_edge[h / 2], static_cast<int>(l), h % 2 == 0 ? 1 : -1);
+    flip_to_delaunay(m_surface, [&](const int h, const int h1, const int /*h2*/, const int /*g1*/, const int g2) {
+      on_edge[h / 2].clear();
+      for (const int side : {g2, h1})
+        for (const auto& [form, value] : on_edge[side / 2])
+          add_value(on_edge[h / 2], form, side % 2 == 0 ? value : -value);
     });
+    for (std::size_t e = 0; e < on_edge.size(); ++e)
+      for (const auto& [form, value] : on_edge[e])
+        m_forms[form].emplace_back(static_cast<int>(e), value);
     // Not negative but for round-off; zeros might tear vertices off.
     for (int h = 0; h < mesh.number_of_halfedges(); h += 2)
-      m_weight.push_back((std::max)(
-        0.5 * (m_surface.cotangent_opposite(h) + m_surface.cotangent_opposite(mesh.opposite(h))), 1e-10));
+      m_weight.push_back(
+          (std::max)(0.5 * (m_surface.cotangent_opposite(h) + m_surface.cotangent_opposite(mesh.opposite(h))), 1e-10));
     for (const int f : components.first_face)
       m_row[mesh.target(mesh.halfedge_of_face(f))] = null;
     int size = 0;
@@ -50,7 +62,8 @@ public:
     assemble(size);
   }
 
-  const std::vector<std::vector<double>>& forms() const { return m_forms; }
+  /// The crossing forms: closed 1-forms that are 1 on the halfedges of a strip, or what flips make of that.
+  const std::vector<Sparse_form>& forms() const { return m_forms; }
 
   /// L without the rows and columns of one vertex per component: positive definite.
   const Symmetric_sparse_matrix<double>& matrix() const { return m_matrix; }
@@ -59,31 +72,34 @@ public:
   int row(const int v) const { return m_row[v]; }
 
   /// The scalar product of 1-forms, with the weights of L.
-  double product(const std::vector<double>& a, const std::vector<double>& b) const
+  double product(const Sparse_form& a, const std::vector<double>& b) const
   {
     double sum = 0;
-    for (std::size_t e = 0; e < a.size(); ++e)
-      sum += m_weight[e] * a[e] * b[e];
+    for (const auto& [e, value] : a)
+      sum += m_weight[e] * value * b[e];
     return sum;
   }
 
-  /// The flow of a 1-form out of each vertex: -L u for the differential of a function u.
-  std::vector<double> flow(const std::vector<double>& form) const
+  /// calls `add(v, flow)` for the flow of a 1-form out of the vertices: -L u for the differential of a function u.
+  template <typename Add>
+  void for_each_flow(const Sparse_form& form, const Add& add) const
   {
-    std::vector<double> result(m_row.size(), 0.);
-    for (std::size_t e = 0; e < form.size(); ++e) {
-      result[m_surface.m_mesh.source(2 * static_cast<int>(e))] += m_weight[e] * form[e];
-      result[m_surface.m_mesh.target(2 * static_cast<int>(e))] -= m_weight[e] * form[e];
+    for (const auto& [e, value] : form) {
+      add(m_surface.m_mesh.source(2 * e), m_weight[e] * value);
+      add(m_surface.m_mesh.target(2 * e), -m_weight[e] * value);
     }
-    return result;
   }
 
-  /// adds the differential of a function, given per vertex, to a 1-form.
-  void add_differential(const std::vector<double>& function, std::vector<double>& form) const
+  /// computes the sum of a 1-form and the differential of a function, given per vertex.
+  std::vector<double> with_differential(const Sparse_form& form, const std::vector<double>& function) const
   {
-    for (std::size_t e = 0; e < form.size(); ++e)
-      form[e] += function[m_surface.m_mesh.target(2 * static_cast<int>(e))] -
-                 function[m_surface.m_mesh.source(2 * static_cast<int>(e))];
+    std::vector<double> result(m_weight.size());
+    for (std::size_t e = 0; e < result.size(); ++e)
+      result[e] = function[m_surface.m_mesh.target(2 * static_cast<int>(e))] -
+                  function[m_surface.m_mesh.source(2 * static_cast<int>(e))];
+    for (const auto& [e, value] : form)
+      result[e] += value;
+    return result;
   }
 
 private:
@@ -92,7 +108,16 @@ private:
     double value;
   };
 
-  static double value(const std::vector<double>& form, const int h) { return h % 2 == 0 ? form[h / 2] : -form[h / 2]; }
+  static void add_value(Sparse_form& on_edge, const int form, const double value)
+  {
+    const auto entry = std::find_if(on_edge.begin(), on_edge.end(), [form](const auto& e) { return e.first == form; });
+    if (entry == on_edge.end())
+      on_edge.emplace_back(form, value);
+    else if (entry->second + value != 0)
+      entry->second += value;
+    else
+      on_edge.erase(entry);
+  }
 
   void assemble(const int size)
   {
@@ -130,7 +155,7 @@ private:
   }
 
   Vertex_frames m_surface; // connectivity and lengths; there are no tangent planes
-  std::vector<std::vector<double>> m_forms;
+  std::vector<Sparse_form> m_forms;
   std::vector<int> m_row;       // per vertex
   std::vector<double> m_weight; // per edge
   Symmetric_sparse_matrix<double> m_matrix;

@@ -32,15 +32,6 @@ inline std::vector<double> angle_defects(const Triangulation_connectivity& mesh,
   return defect;
 }
 
-/// The closed 1-form that is 1 on the halfedges of a strip.
-inline std::vector<double> crossing_form(const Triangulation_connectivity& mesh, const std::vector<int>& strip)
-{
-  std::vector<double> form(mesh.number_of_edges(), 0.);
-  for (const int h : strip)
-    form[mesh.edge(h)] += h % 2 == 0 ? 1 : -1;
-  return form;
-}
-
 /// computes the lower triangle C of W = C C^T in place. \return `false` if W is not positive definite.
 inline bool cholesky(std::vector<std::vector<double>>& w)
 {
@@ -92,7 +83,7 @@ public:
       m_mass(mesh.number_of_vertices(), 0.),
       m_radius(components.size(), 0.),
       m_defect(angle_defects(mesh, geometry)),
-      m_laplacian(mesh, geometry, components, crossing_forms(mesh, strips)),
+      m_laplacian(mesh, geometry, components, strips),
       m_right_hand_side(m_laplacian.matrix().size())
   {
     for (int f = 0; f < mesh.number_of_faces(); ++f)
@@ -166,15 +157,6 @@ public:
 private:
   using Disk = std::vector<std::pair<int, double>>;
 
-  static std::vector<std::vector<double>> crossing_forms(const Triangulation_connectivity& mesh,
-                                                         const std::vector<std::vector<int>>& strips)
-  {
-    std::vector<std::vector<double>> forms;
-    for (const std::vector<int>& strip : strips)
-      forms.push_back(crossing_form(mesh, strip));
-    return forms;
-  }
-
   // Vertices with weights of sum 1.
   Disk disk(const int center)
   {
@@ -208,28 +190,26 @@ private:
 
   bool compute_loop_terms(const std::vector<int>& cones)
   {
-    std::vector<std::vector<double>> harmonic = m_laplacian.forms();
+    // With omega_j = eta_j + d psi_j harmonic, <omega_i, omega_j> = <eta_i, omega_j>: no two of them are needed at once.
+    const auto& forms = m_laplacian.forms();
     std::vector<double> psi(m_mesh.number_of_vertices());
     m_loop_residual.clear();
-    m_loop_potential.assign(harmonic.size(), std::vector<double>());
-    for (std::size_t l = 0; l < harmonic.size(); ++l) {
-      const std::vector<double> flow = m_laplacian.flow(harmonic[l]);
-      for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
-        add_to_right_hand_side(v, flow[v]);
+    m_loop_potential.assign(forms.size(), std::vector<double>());
+    m_loop_matrix.assign(forms.size(), std::vector<double>(forms.size(), 0.));
+    for (std::size_t l = 0; l < forms.size(); ++l) {
+      m_laplacian.for_each_flow(forms[l], [this](const int v, const double flow) { add_to_right_hand_side(v, flow); });
       if (!solve())
         return false;
       for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
         psi[v] = solution(v);
-      m_laplacian.add_differential(psi, harmonic[l]);
+      const std::vector<double> harmonic = m_laplacian.with_differential(forms[l], psi);
+      for (std::size_t i = l; i < forms.size(); ++i)
+        m_loop_matrix[i][l] = m_laplacian.product(forms[i], harmonic);
       const double turning = strip_turning(m_mesh, m_strips[l], m_geometry.m_corner_angle);
       m_loop_residual.push_back(-turning - product_with_defects());
       for (const int v : cones)
         m_loop_potential[l].push_back(psi[v]);
     }
-    m_loop_matrix.assign(harmonic.size(), std::vector<double>(harmonic.size(), 0.));
-    for (std::size_t i = 0; i < harmonic.size(); ++i)
-      for (std::size_t j = 0; j <= i; ++j)
-        m_loop_matrix[i][j] = m_laplacian.product(harmonic[i], harmonic[j]);
     return cholesky(m_loop_matrix);
   }
 
