@@ -9,6 +9,8 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <sstream>
@@ -37,7 +39,34 @@ Map_report with_chosen_types(const Options& options, const Compute& compute)
   return with_number_type(policy);
 }
 
-std::string describe_failure(const Map_report& report)
+/// The height of a triangle by its longest side.
+double flatness(const Mesh& mesh, const Face face)
+{
+  const auto h = halfedge(face, mesh);
+  const auto a = mesh.point(source(h, mesh)), b = mesh.point(target(h, mesh)),
+             c = mesh.point(target(next(h, mesh), mesh));
+  const double longest =
+      std::max({CGAL::squared_distance(a, b), CGAL::squared_distance(b, c), CGAL::squared_distance(c, a)});
+  return std::sqrt(CGAL::cross_product(b - a, c - a).squared_length()) / longest;
+}
+
+/// Says which triangle is the flattest, if it is so flat that it may be the cause of a failure.
+std::string describe_flattest_triangle(const Mesh& mesh)
+{
+  constexpr double suspicious = 1e-6;
+  Face flattest = *faces(mesh).begin();
+  for (const Face face : faces(mesh))
+    if (flatness(mesh, face) < flatness(mesh, flattest))
+      flattest = face;
+  if (!(flatness(mesh, flattest) < suspicious))
+    return "";
+  std::ostringstream text;
+  text << "; triangle " << static_cast<std::size_t>(flattest) << " is nearly flat, its height is "
+       << flatness(mesh, flattest) << " of its longest side: remove it by collapsing or flipping an edge of it";
+  return text.str();
+}
+
+std::string describe_failure(const Map_report& report, const Mesh& mesh)
 {
   std::ostringstream text;
   text << message(report.status) << " (residual " << report.residual << " after " << report.iterations << " iterations";
@@ -53,7 +82,7 @@ std::string describe_failure(const Map_report& report)
   if (report.hyperbolic_length > 0)
     text << "; the short loop closest to its limit has a scale factor of exp(" << report.scale_period
          << "), and the absolute value of the exponent must stay below " << report.hyperbolic_length;
-  return text.str();
+  return text.str() + describe_flattest_triangle(mesh);
 }
 
 } // namespace
@@ -92,5 +121,5 @@ Failure compute_map(const Options& options, const Mesh& mesh, const Signature& s
                                                                     : "degeneracy-only";
   if (report.success())
     return {};
-  return {options.mesh + ": " + describe_failure(report)};
+  return {options.mesh + ": " + describe_failure(report, mesh)};
 }

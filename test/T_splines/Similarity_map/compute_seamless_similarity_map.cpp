@@ -15,6 +15,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
+#include <CGAL/number_type_config.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -327,6 +328,68 @@ TEMPLATE_TEST_CASE("models of a face graph", "[compute_seamless_similarity_map]"
   }
 }
 
+namespace {
+
+// A cylinder of radius 1 whose bottom and top are fans around one vertex of the rim.
+Plain_mesh fan_cylinder(const int sides, const double height)
+{
+  Plain_mesh mesh;
+  for (int i = 0; i < sides; ++i) {
+    const double a = 2 * CGAL_PI * i / sides;
+    for (const double z : {0., height})
+      mesh.points.push_back({{std::cos(a), std::sin(a), z}});
+    const int j = (i + 1) % sides;
+    mesh.triangles.push_back({{2 * i, 2 * j, 2 * j + 1}});
+    mesh.triangles.push_back({{2 * i, 2 * j + 1, 2 * i + 1}});
+    if (i > 0 && j > 0) {
+      mesh.triangles.push_back({{0, 2 * j, 2 * i}});
+      mesh.triangles.push_back({{1, 2 * i + 1, 2 * j + 1}});
+    }
+  }
+  return mesh;
+}
+
+// A cube with an additional vertex on a side, `height` above the middle of an edge of length 10.
+Plain_mesh cube_with_cap(const double height)
+{
+  Plain_mesh mesh;
+  for (int i = 0; i < 8; ++i)
+    mesh.points.push_back({{i & 1 ? 10. : 0., i & 2 ? 10. : 0., i & 4 ? 10. : 0.}});
+  mesh.points.push_back({{5, 0, height}});
+  mesh.triangles = {{{0, 2, 3}}, {{0, 3, 1}}, {{4, 5, 7}}, {{4, 7, 6}}, {{2, 6, 7}}, {{2, 7, 3}}, {{0, 4, 6}},
+                    {{0, 6, 2}}, {{1, 3, 7}}, {{1, 7, 5}}, {{0, 5, 4}}, {{0, 8, 5}}, {{8, 1, 5}}, {{0, 1, 8}}};
+  return mesh;
+}
+
+// The signature of the smoothest field.
+T::Holonomy_signature<Surface_mesh> signature_of_smooth_field(Surface_mesh mesh)
+{
+  const auto field = mesh.add_property_map<Surface_mesh::Face_index, Kernel::Vector_3>("f:cross").first;
+  T::Holonomy_signature<Surface_mesh> signature;
+  REQUIRE(T::compute_smooth_cross_field(mesh, field).success());
+  REQUIRE(T::holonomy_signature_of_cross_field(mesh, field, signature).success());
+  return signature;
+}
+
+} // namespace
+
+TEST_CASE("where the iteration stalls in double it starts again in a wider number type",
+          "[compute_seamless_similarity_map]")
+{
+  const Surface_mesh mesh = surface_mesh(fan_cylinder(60, 0.001));
+  const auto report = check_map_of(mesh, signature_of_smooth_field(mesh));
+  CHECK(report.mantissa_bits > 53);
+}
+
+TEST_CASE("nearly flat triangles are mapped, in numbers as wide as it takes", "[compute_seamless_similarity_map]")
+{
+  for (const double height : {1e-6, 1e-8, 1e-9, 1e-10, 1e-12, 1e-13}) {
+    CAPTURE(height);
+    const Surface_mesh mesh = surface_mesh(cube_with_cap(height));
+    check_map_of(mesh, signature_of_smooth_field(mesh));
+  }
+}
+
 TEST_CASE("nothing is written unless the map exists", "[compute_seamless_similarity_map]")
 {
   Surface_mesh mesh = surface_mesh(test_meshes::sphere(2));
@@ -370,6 +433,13 @@ TEST_CASE("nothing is written unless the map exists", "[compute_seamless_similar
     map.compute(mesh, signature, CGAL::parameters::number_of_iterations(1));
     CHECK(map.report.status == Status::ITERATION_LIMIT);
     CHECK(map.report.iterations == 1);
+  }
+  SECTION("edges of long triangles that cross too many others")
+  {
+    mesh = surface_mesh(fan_cylinder(800, 2));
+    signature = signature_of_smooth_field(mesh);
+    map.compute(mesh, signature, np);
+    CHECK(map.report.status == Status::SUBDIVISION_TOO_LARGE);
   }
   SECTION("a tolerance that no number type reaches")
   {

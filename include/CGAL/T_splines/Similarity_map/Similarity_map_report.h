@@ -18,13 +18,14 @@ namespace T_splines {
 enum class Similarity_map_status {
   CONVERGED,    ///< the residual is within the tolerance at every vertex and loop; everything asked for was written
   INVALID_MESH, ///< the mesh is refused: `signature.mesh` names the element
-  INVALID_SIGNATURE, ///< the signature is refused: `signature` names the vertex, loop or component
-  STALLED,           ///< no step reduces the residual any more, at `vertex` or `loop`
-  ITERATION_LIMIT,   ///< the allowed number of iterations was not enough
+  INVALID_SIGNATURE,      ///< the signature is refused: `signature` names the vertex, loop or component
+  STALLED,                ///< no step reduces the residual any more, at `vertex` or `loop`
+  ITERATION_LIMIT,        ///< the allowed number of iterations was not enough
   SIGNATURE_OUT_OF_REACH, ///< scale periods come close to hyperbolic lengths of loops: the mesh is too coarse
-  SOLVER_FAILED, ///< the linear solver refused the system
+  SOLVER_FAILED,          ///< the linear solver refused the system
   LAYOUT_FAILED, ///< the flat metric could not be laid out with positively oriented triangles in this number type
-  INTERRUPTED    ///< the visitor asked to stop
+  SUBDIVISION_TOO_LARGE, ///< the refinement of the mesh would be too large: its triangles are too long and thin
+  INTERRUPTED            ///< the visitor asked to stop
 };
 
 /// returns one sentence that explains `status`.
@@ -40,6 +41,8 @@ inline const char* message(const Similarity_map_status status)
     return "this signature is at the limit of what this mesh can carry; refine the mesh";
   case Similarity_map_status::SOLVER_FAILED: return "the linear solver failed";
   case Similarity_map_status::LAYOUT_FAILED: return "the map could not be laid out with positively oriented triangles";
+  case Similarity_map_status::SUBDIVISION_TOO_LARGE:
+    return "the long and thin triangles of the mesh are cut into too many pieces; remesh it with better triangles";
   case Similarity_map_status::INTERRUPTED: return "interrupted by the visitor";
   }
   return "";

@@ -38,8 +38,9 @@ namespace T_splines {
 ///   `T_splines::parameters::edge_is_cut_map`: edge of `refined` -> bool;
 ///   `T_splines::parameters::halfedge_transition_map`: halfedge of `refined` -> `Similarity_2<double>`, the transition
 ///     from the chart of its face to that of its opposite's face, the identity off the cut.
-/// \return what was done; the status LAYOUT_FAILED tells that the metric converged but its sizes are too far apart for
-/// one plane in `double`. Complexity: that of the metric, and linear in the size of the refinement.
+/// \return what was done; the status LAYOUT_FAILED tells that the metric converged, but could not be laid out in any number
+/// type: its sizes are too far apart for one plane in `double`; SUBDIVISION_TOO_LARGE, that the refinement would have more
+/// than 250000 vertices plus twenty times those of `mesh`, which has long thin triangles. Complexity: that of the metric, and linear in the size of the refinement.
 template <typename TriangleMesh, typename RefinedMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Similarity_map_report<TriangleMesh>
@@ -56,10 +57,15 @@ compute_seamless_similarity_map(const TriangleMesh& mesh, const Holonomy_signatu
       mesh, signature, true, np, indexing, [&](const internal::Metric_input& input, const auto& metric) {
         visitor.begin_stage("layout");
         const internal::Similarity_map_computation<std::decay_t<decltype(metric)>> map(input, metric, visitor);
+        if (map.is_too_large()) {
+          layout_report.status = Similarity_map_status::SUBDIVISION_TOO_LARGE;
+          return true;
+        }
         const int bad_face = map.first_bad_input_face();
         if (bad_face != map.none) {
+          layout_report.status = Similarity_map_status::LAYOUT_FAILED;
           layout_report.face = indexing.face(bad_face);
-          return;
+          return false;
         }
         layout_report.status = Similarity_map_status::CONVERGED;
         visitor.begin_stage("output");
@@ -80,9 +86,10 @@ compute_seamless_similarity_map(const TriangleMesh& mesh, const Holonomy_signatu
         if constexpr (!internal::is_missing<decltype(transitions)>)
           for (int h = 0; h < map.refined().mesh.number_of_halfedges(); ++h)
             put(transitions, writer.halfedge_of(h), map.transition(h));
+        return true;
       });
   if (report.success() && !layout_report.success()) {
-    report.status = Similarity_map_status::LAYOUT_FAILED;
+    report.status = layout_report.status;
     report.face = layout_report.face;
   }
   return report;

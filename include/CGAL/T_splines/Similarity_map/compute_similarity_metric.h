@@ -29,7 +29,7 @@ namespace T_splines {
 ///   `T_splines::parameters::residual_tolerance(double)`: on the largest deviation, in radians (default 1e-12);
 ///   `T_splines::parameters::flip_policy`: `Ideal_delaunay_flips` (default) or `Degeneracy_flips`;
 ///   `T_splines::parameters::number_type(FT())`: the type to compute in (default `double`; wider types follow where
-///   `double` comes to a floor above the tolerance: the status is not CONVERGED before the tolerance is met).
+///   `double` comes to a floor above the tolerance or stalls: the status is not CONVERGED before the tolerance is met).
 /// \return what was done. Complexity: a sparse factorization of n rows for n vertices, usually 4 to 7 iterations of O(n
 ///   log n).
 template <typename TriangleMesh, typename FT, typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -56,6 +56,7 @@ compute_similarity_metric(const TriangleMesh& mesh, const Holonomy_signature<Tri
         metric = Similarity_metric<TriangleMesh, FT>(computation.structure.mesh, std::move(vertices),
                                                      convert(computation.structure.log_length),
                                                      convert(computation.structure.form), std::move(log_scale));
+        return true;
       });
 }
 

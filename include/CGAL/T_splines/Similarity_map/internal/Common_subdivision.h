@@ -41,10 +41,11 @@ class Common_subdivision {
 public:
   /// \param points of the input's vertices
   /// \param form xi on the final triangulation, of the halfedge 2e per edge e
+  /// \param most_nodes where there would be more, the subdivision is left unfinished
   Common_subdivision(const Triangulation_connectivity& input, const std::vector<std::array<double, 3>>& points,
                      const Triangulation_connectivity& middle, const Triangulation_connectivity& last,
                      const Input_crossings<FT>& input_crossings, const Final_crossings<FT>& final_crossings,
-                     const std::vector<FT>& form, const Flat_layout<FT>& layout)
+                     const std::vector<FT>& form, const Flat_layout<FT>& layout, const std::int64_t most_nodes)
     : m_input(input),
       m_middle(middle),
       m_last(last),
@@ -56,14 +57,23 @@ public:
     collect_chords();
     // On a closed surface, each added vertex adds two triangles; crossings inside of middle triangles come on top.
     m_triangles.reserve(middle.number_of_faces() + 2 * m_nodes.number_on_edges());
-    for (int f = 0; f < middle.number_of_faces(); ++f)
+    for (int f = 0; f < middle.number_of_faces(); ++f) {
+      // Each chord of one family crosses each of the other at most once.
+      const std::int64_t first_chords = m_first_begin[f + 1] - m_first_begin[f],
+                         second_chords = m_second_begin[f + 1] - m_second_begin[f];
+      if (m_nodes.size() > most_nodes || first_chords * second_chords > 4 * most_nodes)
+        return;
       subdivide(f);
+    }
+    m_is_complete = true;
     m_result.point = std::move(m_nodes.points());
     m_result.place = std::move(m_nodes.places());
     m_first_chords = m_second_chords = {}; // their memory is wanted
     connect();
   }
 
+  /// Whether the subdivision was made; else it would have too many nodes.
+  bool is_complete() const { return m_is_complete; }
   Refined_triangulation& result() { return m_result; }
 
 private:
@@ -408,6 +418,7 @@ private:
   const Input_crossings<FT>& m_on_input;
   const Final_crossings<FT>& m_on_final;
   const Flat_layout<FT>& m_layout;
+  bool m_is_complete = false;
   Refined_triangulation m_result;
 
   Subdivision_nodes<FT> m_nodes;

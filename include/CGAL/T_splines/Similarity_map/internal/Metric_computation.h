@@ -163,7 +163,7 @@ struct Metric_computation {
   {
     limits.number_of_iterations -= record.iterations;
     Newton_iteration<FT, SolverTraits, Visitor> newton(structure, system, coefficients, solver,
-                                                       record.factorizations > 0, visitor, limits);
+                                                       record.factorizations_in_use > 0, visitor, limits);
     const Newton_record next = newton.run(policy);
     record.status = next.status;
     if (!record.residual_history.empty())
@@ -173,6 +173,7 @@ struct Metric_computation {
     record.iterations += next.iterations;
     record.halvings += next.halvings;
     record.factorizations += next.factorizations;
+    record.factorizations_in_use += next.factorizations_in_use;
     record.linear_iterations += next.linear_iterations;
     record.flips += next.flips;
   }

@@ -35,6 +35,7 @@ struct Newton_record {
   Similarity_map_status status = Similarity_map_status::STALLED;
   std::vector<double> residual_history;
   int iterations = 0, halvings = 0, factorizations = 0, linear_iterations = 0;
+  int factorizations_in_use = 0; ///< 0 if what the solver has factorized last is of no use
   std::size_t flips = 0;
 };
 
@@ -153,6 +154,7 @@ private:
   {
     const Symmetric_sparse_matrix<double> matrix = m_system.matrix();
     ++m_record.factorizations;
+    ++m_record.factorizations_in_use;
     m_is_factorized = true;
     return m_solver.analyze_pattern(matrix) && m_solver.factorize(matrix);
   }

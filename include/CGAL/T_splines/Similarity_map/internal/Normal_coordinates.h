@@ -38,7 +38,7 @@ public:
   /// A halfedge of the reference triangulation on the current one.
   struct Curve {
     Index first_corner; ///< it starts at the source of this halfedge, along it or to its left, before the next one
-    Index last_corner; ///< the same for its opposite, at its target
+    Index last_corner;  ///< the same for its opposite, at its target
     std::vector<Crossing> crossings;
   };
 
@@ -69,6 +69,15 @@ public:
 
   /// Number of reference edges that cross `edge` in its interior.
   Count number_of_crossings(const Index edge) const { return std::max<Count>(m_count[edge], 0); }
+
+  /// Number of all crossings.
+  Count sum_of_crossings() const
+  {
+    Count sum = 0;
+    for (const Count count : m_count)
+      sum += std::max<Count>(count, 0);
+    return sum;
+  }
 
   /// Updates the coordinates for a flip of `h`. \pre `mesh` has not been flipped yet.
   class Flip {

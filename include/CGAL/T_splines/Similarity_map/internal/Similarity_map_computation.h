@@ -15,6 +15,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/converged_metric.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -41,6 +42,12 @@ public:
     using std::sqrt;
     const Triangulation_connectivity& last = metric.structure.mesh;
     visitor.progress(0.3);
+    const std::int64_t most_nodes = largest_subdivision(input.mesh.number_of_vertices());
+    m_is_too_large = input.mesh.number_of_vertices() + metric.input_on_middle.sum_of_crossings() +
+                         metric.structure.delaunay_edges.sum_of_crossings() >
+                     most_nodes;
+    if (m_is_too_large)
+      return;
     std::vector<FT> length;
     for (int e = 0; e < input.mesh.number_of_edges(); ++e)
       length.push_back(sqrt(input.template squared_length<FT>(e)));
@@ -49,8 +56,11 @@ public:
                                        convert(metric.log_penner()));
     visitor.begin_stage("subdivision");
     const auto& form = convert(metric.structure.form);
-    Common_subdivision<FT> subdivision(input.mesh, input.point, metric.middle, last, on_input, on_final, form,
-                                       m_layout);
+    Common_subdivision<FT> subdivision(input.mesh, input.point, metric.middle, last, on_input, on_final, form, m_layout,
+                                       most_nodes);
+    m_is_too_large = !subdivision.is_complete();
+    if (m_is_too_large)
+      return;
     m_refined = std::move(subdivision.result());
     m_cut.resize(m_refined.mesh.number_of_edges());
     for (int e = 0; e < m_refined.mesh.number_of_edges(); ++e)
@@ -59,6 +69,17 @@ public:
     m_first_bad_input_face = Sliver_removal(input.mesh, input.point, m_refined, m_cut).first_bad_input_face();
     visitor.progress(1.);
   }
+
+  /// The most vertices that the refinement of a mesh with `number_of_vertices` may have. Flips of benign meshes add a few
+  /// percent, those of bad triangles a multiple; where the edges of two triangulations with long triangles cross each other
+  /// the number is that of pairs of edges. A vertex takes about 800 bytes.
+  static std::int64_t largest_subdivision(const std::int64_t number_of_vertices)
+  {
+    return 250000 + 20 * number_of_vertices;
+  }
+
+  /// Whether the refinement would have too many vertices; then there is none.
+  bool is_too_large() const { return m_is_too_large; }
 
   const Refined_triangulation& refined() const { return m_refined; }
 
@@ -101,6 +122,7 @@ private:
   Cut_transitions<FT> m_transitions;
   Refined_triangulation m_refined;
   std::vector<char> m_cut;
+  bool m_is_too_large = false;
   int m_first_bad_input_face = none;
 };
 

@@ -97,43 +97,95 @@ sharpened(const Metric_computation<double>& computation, const Metric_input& inp
   return sharp;
 }
 
-/// iterates, in wider number types if the residual of `computation` comes to a floor above the tolerance, and calls
-/// `consume(computation)` with the converged one.
-template <typename FT, typename TriangleMesh, typename FlipPolicy, typename SolverTraits, typename Visitor,
-          typename Consume>
-void iterate_to_convergence(Metric_computation<FT>& computation, const Metric_input& input,
-                            const Mesh_indexing<TriangleMesh>& indexing, const FlipPolicy& policy, SolverTraits& solver,
-                            const Visitor& visitor, const Newton_limits& limits,
-                            Similarity_map_report<TriangleMesh>& report, Consume&& consume)
-{
-  Newton_system<FT> system(input.component_of_vertex, input.quarter_turns);
-  computation.iterate(system, policy, solver, visitor, limits);
-  fill_report(computation, system, indexing, report);
-  if (report.success()) {
-    if constexpr (std::is_same<FT, double>::value && !std::is_same<Layout_number_type<double>, double>::value) {
-      if (!computation.structure.delaunay_edges.is_empty()) {
-        const auto sharp = sharpened(computation, input, indexing, policy, solver, report);
-        computation = Metric_computation<FT>(); // its memory is wanted
-        consume(sharp);
-        return;
+/// Computes a metric in a number type, and in wider ones where it does not suffice.
+///
+/// Where the residual comes to a floor near the solution, the iteration goes on from there. Where it stalls far from it,
+/// or flips do not end, or the map of a converged metric cannot be laid out, lengths and flips may have lost more than
+/// the residual tells: the wider type starts from the input.
+template <typename TriangleMesh, typename FlipPolicy, typename SolverTraits, typename Visitor, typename Consume>
+class Widening_computation {
+public:
+  using Report = Similarity_map_report<TriangleMesh>;
+
+  const Metric_input& input;
+  const Mesh_indexing<TriangleMesh>& indexing;
+  const FlipPolicy& policy;
+  SolverTraits& solver;
+  const Visitor& visitor;
+  const Newton_limits& limits;
+  bool tracks_edges;
+  const Consume& consume; ///< called with a converged computation; tells whether it could use it
+
+  /// starts from the input, in the number type `FT`. \param before what narrower types did
+  template <typename FT>
+  void start(const Newton_record& before, Report& report) const
+  {
+    Metric_computation<FT> computation(input, tracks_edges);
+    computation.record = before;
+    if (computation.prepare(policy)) {
+      iterate(computation, report);
+      return;
+    }
+    report.status = Similarity_map_status::STALLED;
+    report.residual = std::numeric_limits<double>::infinity();
+    report.mantissa_bits = std::numeric_limits<FT>::digits;
+    start_in_wider_type<FT>(before, report);
+  }
+
+private:
+  template <typename FT>
+  void iterate(Metric_computation<FT>& computation, Report& report) const
+  {
+    Newton_system<FT> system(input.component_of_vertex, input.quarter_turns);
+    computation.iterate(system, policy, solver, visitor, limits);
+    fill_report(computation, system, indexing, report);
+    if (report.success()) {
+      const Newton_record record = computation.record;
+      if (!is_consumed(computation, report) && flips_by_ptolemy(policy))
+        start_in_wider_type<FT>(record, report);
+      return;
+    }
+    const bool is_near = report.residual < near_residual;
+    if (!is_near && flips_by_ptolemy(policy) && report.status != Similarity_map_status::INTERRUPTED)
+      look_for_limit(computation, report);
+    if (report.status != Similarity_map_status::STALLED)
+      return;
+    if (!is_near && flips_by_ptolemy(policy))
+      start_in_wider_type<FT>(computation.record, report);
+    if constexpr (!std::is_void<typename Wider_number_type<FT>::type>::value) {
+      if (is_near) {
+        Metric_computation<typename Wider_number_type<FT>::type> wide(computation);
+        iterate(wide, report);
       }
     }
-    consume(computation);
-    return;
   }
-  if (report.residual >= near_residual && flips_by_ptolemy(policy) &&
-      report.status != Similarity_map_status::INTERRUPTED)
-    look_for_limit(computation, report);
-  using Wider = typename Wider_number_type<FT>::type;
-  if constexpr (!std::is_void<Wider>::value) {
-    if (report.status == Similarity_map_status::STALLED && report.residual < near_residual) {
-      Metric_computation<Wider> wide(computation);
-      iterate_to_convergence(wide, input, indexing, policy, solver, visitor, limits, report, consume);
+
+  template <typename FT>
+  void start_in_wider_type([[maybe_unused]] Newton_record before, [[maybe_unused]] Report& report) const
+  {
+    using Wider = typename Wider_number_type<FT>::type;
+    if constexpr (!std::is_void<Wider>::value) {
+      before.factorizations_in_use = 0;
+      start<Wider>(before, report);
     }
   }
-}
 
-/// computes the similarity metric of a mesh with a signature and calls `consume(input, computation)` if it converges.
+  template <typename FT>
+  bool is_consumed(Metric_computation<FT>& computation, [[maybe_unused]] Report& report) const
+  {
+    if constexpr (std::is_same<FT, double>::value && !std::is_same<Layout_number_type<double>, double>::value) {
+      if (tracks_edges) {
+        const auto sharp = sharpened(computation, input, indexing, policy, solver, report);
+        computation = Metric_computation<FT>(); // its memory is wanted
+        return consume(sharp);
+      }
+    }
+    return consume(computation);
+  }
+};
+
+/// computes the similarity metric of a mesh with a signature and calls `consume(input, computation)` if it converges. If
+/// that returns `false` it does so again, with a computation in a wider number type, as long as there is one.
 ///
 /// It is what the public functions share: the checks, the named parameters and the number types.
 template <typename TriangleMesh, typename NamedParameters, typename Consume>
@@ -171,18 +223,21 @@ converged_metric(const TriangleMesh& mesh, const Holonomy_signature<TriangleMesh
 
   visitor.begin_stage("similarity metric");
   const Metric_input input(indexing, signature, points);
-  Metric_computation<FT> computation(input, tracks_edges);
-  if (!computation.prepare(policy)) {
-    report.residual = std::numeric_limits<double>::infinity();
-    return report;
-  }
   double fraction = 0;
   const Monotone_progress<decltype(visitor)> progress{visitor, fraction};
-  iterate_to_convergence(computation, input, indexing, policy, *solver, progress, limits, report,
-                         [&](const auto& converged) {
-                           own_solver.reset();
-                           consume(input, converged);
-                         });
+  const auto consume_without_solver = [&](const auto& converged) {
+    own_solver.reset();
+    if (consume(input, converged))
+      return true;
+    if constexpr (!std::is_reference<Solver>::value)
+      solver = &own_solver.emplace(sparse_linear_solver(np));
+    return false;
+  };
+  using Computation = Widening_computation<TriangleMesh, std::decay_t<decltype(policy)>, std::decay_t<Solver>,
+                                           std::decay_t<decltype(progress)>, decltype(consume_without_solver)>;
+  const Computation computation{input,    indexing, policy,       *solver,
+                                progress, limits,   tracks_edges, consume_without_solver};
+  computation.template start<FT>(Newton_record(), report);
   return report;
 }
 
