@@ -31,7 +31,9 @@ template <typename NamedParameters>
 Cone_reduction_limits cone_reduction_limits(const NamedParameters& np)
 {
   using CGAL::parameters::get_parameter;
-  constexpr double default_energy_change = 1;
+  // Each cone costs about a hundred control points of a surface within 0.5 %. On eleven meshes 6 led to 30 % fewer
+  // control points than 1, and on none of them to more.
+  constexpr double default_energy_change = 6;
   Cone_reduction_limits limits;
   const auto number_of_cones = get_parameter(np, np_tags::maximum_number_of_cones);
   const auto energy_change = get_parameter(np, np_tags::maximum_energy_change);
@@ -114,7 +116,7 @@ void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& ener
 /// \param signature an admissible signature of `mesh`; it is changed if the status is REDUCED or LIMIT_UNREACHABLE
 /// \param np named parameters:
 ///        - `vertex_point_map`; `geom_traits`
-///        - `maximum_energy_change` (double, default 1): merges go on as long as the next one raises the energy by at
+///        - `maximum_energy_change` (double, default 6): merges go on as long as the next one raises the energy by at
 ///          most this much. It depends neither on the size nor, much, on the resolution of the mesh. With 0 only those
 ///          cones are merged that do more harm than good. The default is minus infinity if `maximum_number_of_cones` is
 ///          given.
