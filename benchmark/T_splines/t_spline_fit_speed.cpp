@@ -16,6 +16,7 @@
 #include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>
 #include <CGAL/T_splines/T_mesh/Carried_points.h>
 #include <CGAL/T_splines/T_mesh/Surface_face_size.h>
+#include <CGAL/T_splines/T_mesh/carry_surface.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
 #include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
@@ -61,7 +62,8 @@ const char* const usage =
     "fairness, against those of the problem without fairness done plainly, with the basis functions of each sample,\n"
     "triplets, and Eigen's SimplicialLDLT or ConjugateGradient (Jacobi's preconditioner); how far their control\n"
     "points are from those without fairness, by the longest side of the bounding box, if the samples determine these.\n"
-    "The adaptive fit, from coarse faces: control points, errors by the longest side, CPU seconds of each level.\n\n"
+    "The adaptive fit, from the coarsest T-mesh: control points, errors by the longest side, CPU seconds of each "
+    "level.\n\n"
     "  --samples N    of the one fit (200000)\n"
     "  --size X       of its faces, by the diagonal of the bounding box (0.05)\n"
     "  --tolerance X  of the adaptive fit, by the longest side of the bounding box (0.001)\n"
@@ -265,28 +267,32 @@ struct Level_clock : T::Adaptive_fit_visitor {
 void measure_adaptive_fit(const std::string& name, const T::Seamless_map<Mesh, FT>& map, const CGAL::Bbox_3& box,
                           const double tolerance, const double seconds_of_map)
 {
-  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  namespace P = T::parameters;
   const double before = cpu_seconds();
-  const std::size_t samples = std::max<std::size_t>(20000, map.mesh().number_of_vertices());
-  Problem p;
-  if (!make_problem(name, map, samples, 0.1 * diagonal, false, p))
+  Mesh t_mesh;
+  const auto t_mesh_knots = t_mesh.add_property_map<Halfedge, FT>("h:knot").first;
+  const auto t_mesh_corners = t_mesh.add_property_map<Halfedge, bool>("h:corner").first;
+  const auto anchors = t_mesh.add_property_map<Face, T::T_mesh_anchor<Mesh, FT>>("f:anchor").first;
+  if (!is_success(name,
+                  T::trace_motorcycle_graph(map, t_mesh, t_mesh_knots, t_mesh_corners, P::face_anchor_map(anchors))))
     return;
+  T::Carried_surface<Mesh> surface = T::carry_surface(map, t_mesh, t_mesh_knots, t_mesh_corners, anchors);
+  T::regularize_T_mesh(t_mesh, t_mesh_knots, t_mesh_corners, CGAL::parameters::visitor(surface.visitor()));
   Mesh spline;
   const auto knots = spline.add_property_map<Halfedge, double>("h:knot").first;
   const auto corners = spline.add_property_map<Halfedge, bool>("h:corner").first;
   std::vector<double> times{cpu_seconds()};
   const double t_mesh_seconds = times.front() - before;
   const auto report = T::fit_adaptive_T_spline(
-      p.t_mesh, p.knots, p.corners, p.samples, tolerance * std::max({box.x_span(), box.y_span(), box.z_span()}), spline,
-      knots, corners, spline.points(),
-      T::parameters::maximum_number_of_control_points(p.samples.size()).visitor(Level_clock(times)));
+      t_mesh, t_mesh_knots, t_mesh_corners, surface, tolerance * std::max({box.x_span(), box.y_span(), box.z_span()}),
+      spline, knots, corners, spline.points(),
+      P::maximum_number_of_control_points(map.mesh().number_of_vertices()).visitor(Level_clock(times)));
   const double end = cpu_seconds();
   if (!report.success()) {
-    std::cerr << name << ": " << describe(report, p.t_mesh) << '\n';
+    std::cerr << name << ": " << describe(report, t_mesh) << '\n';
     return;
   }
-  std::printf("adaptive fit: %zu samples, tolerance %.3g %%: %s\n", p.samples.size(), 100 * tolerance,
-              message(report.status));
+  std::printf("adaptive fit: tolerance %.3g %%: %s\n", 100 * tolerance, message(report.status));
   std::printf("  %5s %15s %9s %11s %11s %9s\n", "level", "control points", "in rings", "rms [%]", "max [%]", "seconds");
   for (std::size_t i = 0; i < report.levels.size(); ++i) {
     const T::T_spline_fit_level& level = report.levels[i];
@@ -295,8 +301,8 @@ void measure_adaptive_fit(const std::string& name, const T::Seamless_map<Mesh, F
                 times[i + 1] - times[i]);
   }
   const double seconds = end - times.front();
-  std::printf("  seconds: field and map %.3f, T-mesh and samples %.3f, fit %.3f, together %.3f\n\n", seconds_of_map,
-              t_mesh_seconds, seconds, seconds_of_map + t_mesh_seconds + seconds);
+  std::printf("  seconds: field and map %.3f, T-mesh %.3f, fit %.3f, together %.3f\n\n", seconds_of_map, t_mesh_seconds,
+              seconds, seconds_of_map + t_mesh_seconds + seconds);
 }
 
 void measure(const std::string& name, Mesh& mesh, const Arguments& arguments)

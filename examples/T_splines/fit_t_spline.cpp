@@ -18,17 +18,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
-#include <iterator>
 #include <string>
 #include <system_error>
-#include <vector>
 
 namespace T = CGAL::T_splines;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using FT = CGAL::Exact_rational;
-using Sample = T::T_mesh_sample<Mesh, Kernel>;
-using Points = T::Carried_points<Mesh, double, Kernel::Weighted_point_3>;
 
 int failure(const std::string& what, const std::string& message)
 {
@@ -52,40 +48,26 @@ int main(int argc, char* argv[])
   const auto knots = t_mesh.add_property_map<Mesh::Halfedge_index, FT>("h:knot").first;
   const auto corners = t_mesh.add_property_map<Mesh::Halfedge_index, bool>("h:corner").first;
   const auto anchors = t_mesh.add_property_map<Mesh::Face_index, T::T_mesh_anchor<Mesh, FT>>("f:anchor").first;
-  const auto places = mesh.add_property_map<Mesh::Vertex_index, T::T_mesh_place<Mesh, double>>("v:place").first;
-  const auto graph = T::trace_motorcycle_graph(
-      map, t_mesh, knots, corners, T::parameters::vertex_place_map(places, T::parameters::face_anchor_map(anchors)));
+  const auto graph = T::trace_motorcycle_graph(map, t_mesh, knots, corners, T::parameters::face_anchor_map(anchors));
   if (!graph.success())
     return failure(map_file, message(graph.status));
 
-  // Samples of the mesh, weighted by area, travel with the faces of the T-mesh while these become squarer.
-  std::vector<Sample> samples;
-  T::sample_T_mesh(map, t_mesh, knots, corners, anchors, places, std::back_inserter(samples));
-  Points points;
-  for (const Sample& s : samples)
-    points.add(s.place.face, s.place.u, s.place.v, Kernel::Weighted_point_3(s.point, s.weight));
-  T::regularize_T_mesh(t_mesh, knots, corners, CGAL::parameters::visitor(points.visitor()));
-  samples.clear();
-  const T::T_mesh_coordinates coordinates(t_mesh, knots, corners);
-  for (const Mesh::Face_index f : faces(t_mesh)) {
-    const double width = CGAL::to_double(coordinates.width(f)), height = CGAL::to_double(coordinates.height(f));
-    for (const Points::Point& p : points.points(f)) // round-off may have led a little out of the face
-      samples.push_back(
-          {{f, std::clamp(p.u, 0., width), std::clamp(p.v, 0., height)}, p.payload.point(), p.payload.weight()});
-  }
+  // The mesh stays on the faces of the T-mesh, while these become squarer.
+  T::Carried_surface<Mesh> surface = T::carry_surface(map, t_mesh, knots, corners, anchors);
+  T::regularize_T_mesh(t_mesh, knots, corners, CGAL::parameters::visitor(surface.visitor()));
 
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
   const double tolerance = relative_tolerance * std::max({box.x_span(), box.y_span(), box.z_span()});
   const auto spline_knots = spline.add_property_map<Mesh::Halfedge_index, double>("h:knot").first;
   const auto spline_corners = spline.add_property_map<Mesh::Halfedge_index, bool>("h:corner").first;
-  const auto report = T::fit_adaptive_T_spline(t_mesh, knots, corners, samples, tolerance, spline, spline_knots,
+  const auto report = T::fit_adaptive_T_spline(t_mesh, knots, corners, surface, tolerance, spline, spline_knots,
                                                spline_corners, spline.points());
   if (!report.success())
     return failure(map_file, describe(report, t_mesh));
   for (const T::T_spline_fit_level& level : report.levels)
     std::cout << level.number_of_control_points << " control points: error " << level.error.relative_rms()
               << " (root mean square), " << level.error.relative_maximum() << " (largest)\n";
-  std::cout << samples.size() << " samples; " << message(report.status) << "\n";
+  std::cout << message(report.status) << "\n";
   if (const std::error_code error = T::write_t_mesh(t_spline_file, spline, spline_knots, spline_corners))
     return failure(t_spline_file, error.message());
   return EXIT_SUCCESS;

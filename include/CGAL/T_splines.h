@@ -70,6 +70,7 @@
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
 #include <CGAL/T_splines/T_mesh/Admissibility_report.h>
 #include <CGAL/T_splines/T_mesh/Carried_points.h>
+#include <CGAL/T_splines/T_mesh/Carried_surface.h>
 #include <CGAL/T_splines/T_mesh/Motorcycle_graph_report.h>
 #include <CGAL/T_splines/T_mesh/Spline_compatibility_report.h>
 #include <CGAL/T_splines/T_mesh/Surface_face_size.h>
@@ -81,6 +82,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_sample.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/Tracing_traits.h>
+#include <CGAL/T_splines/T_mesh/carry_surface.h>
 #include <CGAL/T_splines/T_mesh/grade_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/is_admissible.h>
 #include <CGAL/T_splines/T_mesh/is_spline_compatible.h>

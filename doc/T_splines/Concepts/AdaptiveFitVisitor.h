@@ -8,8 +8,8 @@
 The concept `AdaptiveFitVisitor` describes what an adaptive fit tells the caller: the levels as they come, from coarse to
 fine. A model is passed to `CGAL::T_splines::fit_adaptive_T_spline()` by the named parameter `visitor`.
 
-The functions of `ProgressVisitor` are called once per level and round: `progress()` with the share of the rounds of
-parameter correction, of the present level; `go_on()` before each round and before each refinement. `begin_stage()` is not
+The functions of `ProgressVisitor` are called once per level and round: `progress()` with the share of the rounds in
+which the points that are aimed at are moved, of the present level; `go_on()` before each round and before each refinement. `begin_stage()` is not
 called.
 
 A class derived from `CGAL::T_splines::Adaptive_fit_visitor` may define only the functions that it cares for.

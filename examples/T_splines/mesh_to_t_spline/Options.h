@@ -59,16 +59,12 @@ T-mesh:
   --no-regularization       the T-mesh as the motorcycles trace it
   --map-only                no T-mesh
 T-spline:
-  --tolerance X             the largest distance allowed between the samples of the mesh and the surface, by the longest
-                            side of the bounding box: 0.01 is 1 percent of it (0.005)
-  --max-control-points N    the most control points, at most the number of samples (a quarter of it, or what the rings
-                            around extraordinary vertices need)
+  --tolerance X             the largest distance allowed between mesh and surface, either way, by the longest side of
+                            the bounding box: 0.01 is 1 percent of it (0.005)
+  --max-control-points N    the most control points (5000, or if that is more, four times as many as the coarsest
+                            surface has, or half as many as the mesh has vertices)
   --fairness X              the weight of the thin-plate energy against the squared distances, without unit; features
                             smaller than X^(1/4) times the distance between samples are smoothed away (@fairness@)
-  --samples N               about how many samples are taken, if the mesh has fewer vertices: every vertex is a sample,
-                            and points inside of large triangles are (20000, and 60 per cone)
-  --face-size X             the longest side of the faces of the T-mesh with which the fit begins, measured on the
-                            surface, by the diagonal of the bounding box (0.1)
   --levels                  also writes level_0.ply, level_1.ply, ...: the T-splines from coarse to fine on the way
   --resolution N            each side of a face is divided into at least N parts in t_spline.obj (8)
   --no-spline               the T-mesh alone, as it was traced and regularized
@@ -100,9 +96,9 @@ struct Options {
   std::optional<int> largest_number_of_cones;
   double residual_tolerance = 1e-12;
   int max_iterations = 100;
-  double tolerance = 0.005, face_size = 0.1;
+  double tolerance = 0.005;
   std::optional<double> fairness; ///< none: the default of the library
-  std::optional<std::size_t> largest_number_of_control_points, number_of_samples;
+  std::optional<std::size_t> largest_number_of_control_points;
   int resolution = 8;
   Solver_choice solver = Solver_choice::LDLT;
   Flips_choice flips = Flips_choice::DELAUNAY;

@@ -141,10 +141,6 @@ private:
       options.largest_number_of_control_points = integer<std::size_t>(value(), 1);
     else if (m_name == "--fairness")
       options.fairness = number(value());
-    else if (m_name == "--samples")
-      options.number_of_samples = integer<std::size_t>(value(), 1);
-    else if (m_name == "--face-size")
-      options.face_size = positive_number(value(), 1e6);
     else if (m_name == "--levels")
       parse_flag(options.has_levels);
     else if (m_name == "--resolution")

@@ -7,7 +7,7 @@
 #include "Refined_map.h"
 #include "t_mesh_figures.h"
 
-#include <CGAL/T_splines/T_mesh/Carried_points.h>
+#include <CGAL/T_splines/T_mesh/Carried_surface.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
 
@@ -26,18 +26,6 @@ using Exact_number = CGAL::Exact_rational;
 using T_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Anchor = CGAL::T_splines::T_mesh_anchor<Mesh, Exact_number>;
 
-/// A sample of the mesh without its place in the T-mesh.
-struct Carried_sample {
-  Kernel::Point_3 point;
-  double weight;
-
-  double x() const { return point.x(); }
-  double y() const { return point.y(); }
-  double z() const { return point.z(); }
-};
-
-using Samples = CGAL::T_splines::Carried_points<T_mesh, double, Carried_sample>;
-
 /// A T-mesh with exact knots, and how it lies on the surface.
 struct Surface_t_mesh {
   T_mesh mesh;
@@ -49,7 +37,7 @@ struct Surface_t_mesh {
       mesh.add_property_map<T_mesh::Edge_index, std::vector<Kernel::Point_3>>("e:polyline").first;
   T_mesh::Property_map<T_mesh::Face_index, Anchor> anchors =
       mesh.add_property_map<T_mesh::Face_index, Anchor>("f:anchor").first; ///< of the motorcycle graph only
-  Samples samples; ///< of the mesh, in the faces of the T-mesh; none if there will be no T-spline
+  CGAL::T_splines::Carried_surface<T_mesh> surface;                        ///< the mesh, in the faces of the T-mesh
 
   Surface_t_mesh() = default;
   Surface_t_mesh(const Surface_t_mesh&) = delete; // the property maps are those of this mesh

@@ -6,19 +6,16 @@
 #include <CGAL/T_splines/Similarity_map/Exact_map_report.h>
 #include <CGAL/T_splines/Similarity_map/Seamless_map.h>
 #include <CGAL/T_splines/Similarity_map/make_exactly_seamless.h>
-#include <CGAL/T_splines/T_mesh/Surface_face_size.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
+#include <CGAL/T_splines/T_mesh/carry_surface.h>
 #include <CGAL/T_splines/T_mesh/place_T_mesh.h>
-#include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
-#include <CGAL/T_splines/T_mesh/sample_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/trace_motorcycle_graph.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
-#include <boost/iterator/function_output_iterator.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -32,7 +29,6 @@ namespace {
 
 using Exact_map = CGAL::T_splines::Seamless_map<Mesh, Exact_number>;
 using Exact_report = CGAL::T_splines::Exact_map_report<Mesh>;
-using Place = CGAL::T_splines::T_mesh_place<T_mesh, double>;
 
 /// What the report names, as the files count: from 0.
 std::string describe(const Exact_report& report, const Mesh& mesh)
@@ -97,39 +93,12 @@ void take_structure(const Exact_map& map, Refined_map& refined, Figures::Signatu
       figures.cones.emplace_back(static_cast<std::size_t>(v), map.quarter_turns(v));
 }
 
-/// As many as the vertices; 20000, so that surfaces look the same on coarse meshes; and enough for the control points in
-/// the rings around all cones, which an assembly of many parts has many of.
-std::size_t default_number_of_samples(const Exact_map& map)
-{
-  constexpr std::size_t least = 20000, samples_per_cone = 60; // three times what cones of k = 3 take in control points
-  const Mesh& mesh = map.mesh();
-  const auto is_cone = [&](const Vertex v) { return map.quarter_turns(v) != (mesh.is_border(v) ? 2 : 4); };
-  const auto cones = static_cast<std::size_t>(std::count_if(mesh.vertices().begin(), mesh.vertices().end(), is_cone));
-  return std::max({least, samples_per_cone * cones, static_cast<std::size_t>(mesh.number_of_vertices())});
-}
-
-/// Takes samples of the mesh, where there is a T-mesh that has not changed since it was traced.
-void take_samples(const Options& options, const Exact_map& map, const std::vector<Place>& places, Surface_t_mesh& t)
-{
-  const auto place_map = boost::make_iterator_property_map(places.begin(), get(boost::vertex_index, map.mesh()));
-  const auto add = [&t](const CGAL::T_splines::T_mesh_sample<T_mesh, Kernel>& sample) {
-    t.samples.add(sample.place.face, sample.place.u, sample.place.v, {sample.point, sample.weight});
-  };
-  const std::size_t number = options.number_of_samples.value_or(default_number_of_samples(map));
-  CGAL::T_splines::sample_T_mesh(map, t.mesh, t.knots, t.corners, t.anchors, place_map,
-                                 boost::make_function_output_iterator(add),
-                                 CGAL::T_splines::parameters::number_of_samples(number));
-}
-
 /// \return why there is no T-mesh; empty if there is one.
 std::string trace(const Options& options, const Exact_map& map, Progress& progress, Surface_t_mesh& t,
                   T_mesh_stage_figures& figures)
 {
   namespace P = CGAL::T_splines::parameters;
-  std::vector<Place> places(map.mesh().number_of_vertices());
-  const auto place_map = boost::make_iterator_property_map(places.begin(), get(boost::vertex_index, map.mesh()));
-  const auto np = P::edge_polyline_map(t.polylines, P::face_anchor_map(t.anchors, P::vertex_place_map(place_map)))
-                      .visitor(Progress_handle(progress));
+  const auto np = P::edge_polyline_map(t.polylines, P::face_anchor_map(t.anchors)).visitor(Progress_handle(progress));
   const CGAL::T_splines::Motorcycle_graph_report report =
       CGAL::T_splines::trace_motorcycle_graph(map, t.mesh, t.knots, t.corners, np);
   progress.end_stage();
@@ -141,11 +110,8 @@ std::string trace(const Options& options, const Exact_map& map, Progress& progre
   figures.tracing.predicate_calls = report.predicates.calls;
   figures.tracing.exact_predicate_calls = report.predicates.exact_calls;
   figures.traced = figures_of(t);
-  if (options.has_spline) {
-    progress.begin_stage("sampling");
-    take_samples(options, map, places, t);
-    progress.end_stage();
-  }
+  if (options.has_spline)
+    t.surface = CGAL::T_splines::carry_surface(map, t.mesh, t.knots, t.corners, t.anchors);
   return {};
 }
 
@@ -156,32 +122,19 @@ std::string regularize(const Exact_map& map, Progress& progress, Surface_t_mesh&
   progress.begin_stage("regularization");
   using Roots = CGAL::T_splines::T_mesh_roots<Mesh, T_mesh, Exact_number>;
   Roots roots(t.mesh, t.anchors);
-  const CGAL::T_splines::T_mesh_visitor_pair<Roots, Samples::Visitor> visitor(roots, t.samples.visitor());
+  const CGAL::T_splines::T_mesh_visitor_pair visitor(roots, t.surface.visitor());
   const CGAL::T_splines::T_mesh_regularization_report report =
       CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots, t.corners, CGAL::parameters::visitor(visitor));
-  figures.operations = {
-      {"removals", report.removals}, {"flips", report.flips}, {"partial_removals", report.partial_removals}};
+  figures.operations = {{"removals", report.removals},
+                        {"flips", report.flips},
+                        {"partial_removals", report.partial_removals},
+                        {"closed_gaps", report.closed_gaps}};
   figures.t_mesh = figures_of(t);
   progress.begin_stage("placing");
   const auto np = CGAL::T_splines::parameters::edge_polyline_map(t.polylines);
   const bool is_placed = CGAL::T_splines::place_T_mesh(map, t.mesh, t.knots, t.corners, roots, np);
   progress.end_stage();
   return is_placed ? "" : "the changed T-mesh does not fit on the surface";
-}
-
-/// Splits the faces until none is longer than `size` on the surface. \return what went wrong; empty if nothing did.
-std::string refine(Progress& progress, Surface_t_mesh& t, const double size)
-{
-  progress.begin_stage("refinement");
-  using Knot_map = decltype(t.knots);
-  using Corner_map = decltype(t.corners);
-  using Coordinates = CGAL::T_splines::T_mesh_coordinates<T_mesh, Knot_map, Corner_map>;
-  using Face_size = CGAL::T_splines::Surface_face_size<T_mesh, Knot_map, Corner_map, Samples>;
-  Face_size face_size(Coordinates(t.mesh, t.knots, t.corners), t.samples);
-  const auto np = CGAL::parameters::visitor(face_size.visitor());
-  const auto report = CGAL::T_splines::refine_T_mesh(t.mesh, t.knots, t.corners, face_size, size, np);
-  progress.end_stage();
-  return report.success() ? "" : message(report.status);
 }
 
 } // namespace
@@ -208,12 +161,7 @@ Failure make_t_mesh(const Options& options, Progress& progress, Results& results
     results.regularized = drawing_of(t);
   }
   results.has_t_mesh = true;
-  if (!options.has_spline) {
-    t.mesh.collect_garbage(); // not where there are samples: they name faces
-    return {};
-  }
-  failure = refine(progress, t, options.face_size * diagonal_of(results.refined.mesh));
-  if (!failure.empty())
-    return {options.input_file() + ": " + failure + " (--no-spline ends with the T-mesh)"};
+  if (!options.has_spline)
+    t.mesh.collect_garbage(); // not where there is a surface: it names faces
   return {};
 }

@@ -13,7 +13,6 @@
 #include <CGAL/T_splines/Spline/measure_T_spline_deviation.h>
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_sample.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -34,25 +33,10 @@
 
 namespace {
 
-using Sample = CGAL::T_splines::T_mesh_sample<T_mesh, Kernel>;
 using Fit_report = CGAL::T_splines::Adaptive_fit_report<T_mesh>;
 using T_spline =
     CGAL::T_splines::T_spline_surface<T_mesh, decltype(Fitted_t_mesh::knots), decltype(Fitted_t_mesh::corners),
                                       T_mesh::Property_map<T_mesh::Vertex_index, Kernel::Point_3>>;
-
-/// The samples that the T-mesh carries.
-std::vector<Sample> samples_of(const Surface_t_mesh& t)
-{
-  const CGAL::T_splines::T_mesh_coordinates coordinates(t.mesh, t.knots, t.corners);
-  std::vector<Sample> samples;
-  for (const T_mesh::Face_index f : t.mesh.faces()) {
-    const double width = CGAL::to_double(coordinates.width(f)), height = CGAL::to_double(coordinates.height(f));
-    for (const Samples::Point& p : t.samples.points(f)) // round-off may have led a little out of the face
-      samples.push_back(
-          {{f, std::clamp(p.u, 0., width), std::clamp(p.v, 0., height)}, p.payload.point, p.payload.weight});
-  }
-  return samples;
-}
 
 Failure failure_of(const Options& options, const Fit_report& report, const T_mesh& t_mesh)
 {
@@ -60,12 +44,8 @@ Failure failure_of(const Options& options, const Fit_report& report, const T_mes
   if (report.success())
     return {};
   const std::string text = describe(report, t_mesh);
-  const bool is_limit = report.status == Status::LIMIT_ABOVE_SAMPLES || report.status == Status::LIMIT_TOO_LOW;
-  if (!is_limit)
+  if (report.status != Status::LIMIT_TOO_LOW)
     return {options.input_file() + ": " + text + " (--no-spline ends with the T-mesh)"};
-  if (!options.largest_number_of_control_points) // the number of samples is the limit
-    return {text + "; there are " + std::to_string(report.number_of_samples) + " samples: --samples asks for more",
-            true};
   return {"--max-control-points " + std::to_string(*options.largest_number_of_control_points) + ": " + text, true};
 }
 
@@ -88,20 +68,19 @@ Failure fit(const Options& options, Chosen_spd_solver_traits& solver, Progress& 
 {
   namespace P = CGAL::T_splines::parameters;
   progress.begin_stage("fitting");
-  const std::vector<Sample> samples = samples_of(t);
-  figures.samples = samples.size();
   figures.faces_before_fit = t.mesh.number_of_faces();
   figures.tolerance = options.tolerance;
   figures.fairness = options.fairness.value_or(default_fairness());
   Level_recorder recorder(progress, options.tolerance, options.has_levels ? &levels : nullptr);
-  const std::size_t limit = options.largest_number_of_control_points.value_or(samples.size());
+  const std::size_t limit = options.largest_number_of_control_points.value_or(0);
   const auto np = P::fairness(figures.fairness, P::maximum_number_of_control_points(limit))
                       .visitor(Fit_visitor(recorder))
                       .sparse_linear_solver(std::ref(solver));
   const Fit_report report = CGAL::T_splines::fit_adaptive_T_spline(
-      t.mesh, t.knots, t.corners, samples, options.tolerance * figures.longest_side, fitted.mesh, fitted.knots,
+      t.mesh, t.knots, t.corners, t.surface, options.tolerance * figures.longest_side, fitted.mesh, fitted.knots,
       fitted.corners, fitted.mesh.points(), np);
   progress.end_stage();
+  figures.samples = report.number_of_samples;
   set_fit_figures(report, figures);
   return failure_of(options, report, t.mesh);
 }

@@ -127,7 +127,7 @@ TEMPLATE_TEST_CASE("a support must not contain the centre of a spiral", "[is_spl
 {
   using FT = TestType;
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, FT>;
-  for (const FT& scale : {FT(3) / FT(2), FT(2), FT(9) / FT(8)}) {
+  for (const FT& scale : {FT(FT(3) / FT(2)), FT(2), FT(FT(9) / FT(8))}) {
     INFO("scale " << scale);
     Mesh t(test_t_meshes::pinwheel<FT>(scale));
     const auto report = report_of(t);

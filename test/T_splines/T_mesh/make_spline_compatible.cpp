@@ -224,7 +224,7 @@ TEMPLATE_TEST_CASE("T-meshes that spiral become spline compatible, by few splits
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, FT>;
   using Editor = CGAL::T_splines::T_mesh_editor<Surface_mesh, typename Mesh::Knot_map, typename Mesh::Corner_map>;
   CGAL::Random random(1);
-  for (const FT& scale : {FT(3) / FT(2), FT(9) / FT(8), FT(4)})
+  for (const FT& scale : {FT(FT(3) / FT(2)), FT(FT(9) / FT(8)), FT(4)})
     for (const bool is_turning : {false, true})
       for (const int splits : {0, 1, 2, 5, 12, 40}) {
         INFO("scale " << scale << (is_turning ? ", turning, " : ", ") << splits << " splits");

@@ -115,8 +115,6 @@ TEST_CASE("bad usage is refused with exit code 2")
       {"--uv a.obj --cones a.cones", "--cones does not go with --uv"},
       {"--uv", "--uv needs a value"},
       {"a.off --no-regularization=1", "--no-regularization takes no value"},
-      {"a.off --face-size 0", "--face-size needs a positive number"},
-      {"a.off --face-size nan", "--face-size needs a positive number"},
       {"a.off --tolerance 0", "--tolerance needs a positive number"},
       {"a.off --tolerance nan", "--tolerance needs a positive number"},
       {"a.off --tolerance=-0.1", "--tolerance needs a positive number"},
@@ -126,7 +124,6 @@ TEST_CASE("bad usage is refused with exit code 2")
       {"a.off --max-control-points 1e3", "--max-control-points needs an integer of at least 1"},
       {"a.off --fairness=-1", "--fairness needs a number that is not negative"},
       {"a.off --fairness nan", "--fairness needs a number that is not negative"},
-      {"a.off --samples 0", "--samples needs an integer of at least 1"},
       {"a.off --levels=3", "--levels takes no value"},
       {"a.off --max-cones=-1", "--max-cones needs an integer of at least 0"},
       {"a.off --cone-energy=-1", "--cone-energy needs a number that is not negative"},
@@ -138,7 +135,7 @@ TEST_CASE("bad usage is refused with exit code 2")
       {"a.off --no-spline --tolerance 0.1", "--tolerance goes with a T-spline"},
       {"a.off --map-only --levels", "--levels goes with a T-spline"},
       {"a.off --resolution 1", "--resolution needs an integer of at least 2"},
-      {"a.off --map-only --face-size 0.1", "--face-size goes with a T-spline"},
+      {"a.off --map-only --fairness 0.1", "--fairness goes with a T-spline"},
       {"a.off --no-spline --resolution 4", "--resolution goes with a T-spline"}};
   for (const auto& [arguments, message] : cases) {
     const Program_run run(arguments);
@@ -448,12 +445,12 @@ TEST_CASE("solvers, flip policies and number types")
   write_torus(mesh, 10, 0, 1);
   for (const char* option :
        {"--flips degeneracy", "--flips degeneracy-only", "--precision extended", "--precision quad"}) {
-    const Program_run run("'" + mesh + "' --samples 1000 " + option + " -o '" + output + "'");
+    const Program_run run("'" + mesh + "' " + option + " -o '" + output + "'");
     CAPTURE(option, run.errors);
     CHECK(run.exit_code == 0);
     check_output(output, mesh);
   }
-  const Program_run cholmod("'" + mesh + "' --samples 1000 --solver cholmod -o '" + output + "'");
+  const Program_run cholmod("'" + mesh + "' --solver cholmod -o '" + output + "'");
   CHECK((cholmod.exit_code == 0 || contains(cholmod.errors, "built without CHOLMOD")));
 }
 

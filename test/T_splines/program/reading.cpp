@@ -139,12 +139,12 @@ TEST_CASE("files of an earlier run do not stay beside those of a new one")
   const std::string output = directory.file("output"),
                     arguments = "'" + data + "good_meshes/cube.obj' -o '" + output + "' ";
   const Names map_files = {"map.obj", "report.html", "report.json"};
-  REQUIRE(Program_run(arguments + "--samples 2000 --levels").exit_code == 0);
+  REQUIRE(Program_run(arguments + "--levels").exit_code == 0);
   REQUIRE(files_of(output).count("level_0.ply") == 1);
   const Names all_files = files_of(output);
   for (const char* name : {"level_12.ply", "level_07.ply", "level_x.ply", "level_1.obj", "notes.txt", "t_mesh.ply.bak"})
     std::ofstream(output + "/" + name) << "x";
-  std::filesystem::create_directory(output + "/level_9.ply");
+  std::filesystem::create_directory(output + "/level_99.ply");
 
   REQUIRE(Program_run(arguments + "--max-iterations 1 --tolerance-residual 1e-300").exit_code == 1);
   for (const std::string& name : all_files) // a run that fails touches nothing
@@ -152,7 +152,7 @@ TEST_CASE("files of an earlier run do not stay beside those of a new one")
 
   REQUIRE(Program_run(arguments + "--map-only").exit_code == 0);
   Names expected = map_files;
-  for (const char* name : {"level_07.ply", "level_x.ply", "level_1.obj", "notes.txt", "t_mesh.ply.bak", "level_9.ply"})
+  for (const char* name : {"level_07.ply", "level_x.ply", "level_1.obj", "notes.txt", "t_mesh.ply.bak", "level_99.ply"})
     expected.insert(name);
   CHECK(files_of(output) == expected);
 }

@@ -16,12 +16,12 @@ namespace T_splines {
 
 /// Why an adaptive fit ended. With the first four values there is a surface.
 enum class Adaptive_fit_status {
-  WITHIN_TOLERANCE,      ///< no sample is farther from the surface than the tolerance
+  WITHIN_TOLERANCE,      ///< neither is farther from the other than the tolerance, surface and mesh; and no folds
   CONTROL_POINT_LIMIT,   ///< refinement would need more control points than allowed
-  NO_IMPROVEMENT,        ///< three refinements in turn reduced neither error by a percent
-  SAMPLES_EXHAUSTED,     ///< the faces beyond the tolerance have too few samples to be refined
+  NO_IMPROVEMENT,        ///< three refinements in turn reduced neither errors nor folds by a tenth
+  RESOLUTION_REACHED,    ///< the faces beyond the tolerance are so small that splitting them makes no sense
   INVALID_TOLERANCE,     ///< the tolerance is not a positive finite number
-  LIMIT_ABOVE_SAMPLES,   ///< more control points are allowed than there are samples
+  NO_SURFACE,            ///< the surface has no triangles, or they do not cover the T-mesh
   LIMIT_TOO_LOW,         ///< the coarsest spline compatible T-mesh needs more control points than allowed: see `levels`
   INADMISSIBLE,          ///< the T-mesh is not admissible: see `fit.surface.compatibility`
   NOT_SPLINE_COMPATIBLE, ///< a T-mesh could not be made spline compatible, or not with as many splits as allowed
@@ -36,10 +36,9 @@ inline const char* message(const Adaptive_fit_status status)
   case Adaptive_fit_status::WITHIN_TOLERANCE: return "the surface is within the tolerance";
   case Adaptive_fit_status::CONTROL_POINT_LIMIT: return "the allowed number of control points is reached";
   case Adaptive_fit_status::NO_IMPROVEMENT: return "refinement does not reduce the errors any more";
-  case Adaptive_fit_status::SAMPLES_EXHAUSTED:
-    return "the faces beyond the tolerance have too few samples to be refined";
+  case Adaptive_fit_status::RESOLUTION_REACHED: return "the faces beyond the tolerance are too small to be split";
   case Adaptive_fit_status::INVALID_TOLERANCE: return "the tolerance is not a positive finite number";
-  case Adaptive_fit_status::LIMIT_ABOVE_SAMPLES: return "more control points are allowed than there are samples";
+  case Adaptive_fit_status::NO_SURFACE: return "there is no surface under the T-mesh";
   case Adaptive_fit_status::LIMIT_TOO_LOW: return "the coarsest surface needs more control points than allowed";
   case Adaptive_fit_status::INADMISSIBLE: return "the halfedge knots are not admissible";
   case Adaptive_fit_status::NOT_SPLINE_COMPATIBLE: return "the T-mesh could not be made spline compatible";
@@ -53,6 +52,8 @@ inline const char* message(const Adaptive_fit_status status)
 struct T_spline_fit_level {
   std::size_t number_of_control_points = 0, number_of_faces = 0;
   std::size_t control_points_in_rings = 0; ///< around extraordinary vertices
+  std::size_t number_of_folded_faces = 0;  ///< where the normals of surface and mesh differ by a right angle or more
+  /// At samples; of a level that is within the tolerance at all samples, as `measure_T_spline_deviation()` measures it.
   T_spline_fit_error error;
 };
 
@@ -66,7 +67,7 @@ struct Adaptive_fit_report {
   std::size_t number_of_samples = 0;
   T_spline_fit_report<TMesh> fit;
 
-  bool success() const { return status <= Adaptive_fit_status::SAMPLES_EXHAUSTED; }
+  bool success() const { return status <= Adaptive_fit_status::RESOLUTION_REACHED; }
   explicit operator bool() const { return success(); }
 };
 
@@ -77,8 +78,6 @@ std::string describe(const Adaptive_fit_report<TMesh>& report, const TMesh& t_me
   switch (report.status) {
   case Adaptive_fit_status::INADMISSIBLE: return describe(report.fit.surface.compatibility, t_mesh);
   case Adaptive_fit_status::FIT_FAILED: return describe(report.fit, t_mesh);
-  case Adaptive_fit_status::LIMIT_ABOVE_SAMPLES:
-    return message(report.status) + (": " + std::to_string(report.number_of_samples));
   case Adaptive_fit_status::LIMIT_TOO_LOW:
     return message(report.status) + (": " + std::to_string(report.levels.front().number_of_control_points) + ", " +
                                      std::to_string(report.levels.front().control_points_in_rings) +

@@ -26,8 +26,8 @@
 namespace CGAL {
 namespace T_splines {
 
-/// The fairness of a fit if none is given: it smooths over a third of the distance between samples.
-constexpr double default_fairness = 0.01;
+/// The fairness of a fit if none is given: it smooths over half of the distance between samples.
+constexpr double default_fairness = 0.1;
 
 namespace internal {
 
@@ -140,14 +140,14 @@ fit_T_spline(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCor
   }
   internal::T_spline_fitter<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Kernel> fitter(
       t_mesh, knots, corners, internal::control_point_weights<FT>(t_mesh, np), np);
-  report.surface = fitter.surface().report();
+  report.surface = fitter.fitted().surface().report();
   if (!report.surface.success()) {
     report.status = T_spline_fit_status::INVALID_SURFACE;
     return report;
   }
-  const auto& indexing = fitter.surface().indexing();
+  const auto& indexing = fitter.fitted().surface().indexing();
   std::vector<internal::Fitting_sample<FT>> fitting_samples =
-      internal::fitting_samples(indexing, fitter.surface().t_mesh_arrays(), samples, report);
+      internal::fitting_samples(indexing, fitter.fitted().surface().t_mesh_arrays(), samples, report);
   if (!report.success())
     return report;
   fitter.fit(fitting_samples, fairness, number_of_corrections, solver, visitor, report);
@@ -161,7 +161,7 @@ fit_T_spline(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCor
     ++i;
   }
   for (const auto v : CGAL::make_range(vertices(t_mesh)))
-    put(control_points, v, fitter.control_point(v));
+    put(control_points, v, fitter.fitted().control_point(v));
   return report;
 }
 

@@ -39,7 +39,6 @@ public:
   Low_vertex_repair(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry,
                     const std::vector<char>& is_face_fixed, std::vector<double>& angle)
     : m_mesh(mesh),
-      m_geometry(geometry),
       m_is_face_fixed(is_face_fixed),
       m_angle(angle),
       m_outgoing(mesh.outgoing_halfedges()),
@@ -282,7 +281,6 @@ private:
   }
 
   const Triangulation_connectivity& m_mesh;
-  const Triangle_geometry& m_geometry;
   const std::vector<char>& m_is_face_fixed;
   std::vector<double>& m_angle;
   std::vector<int> m_outgoing;

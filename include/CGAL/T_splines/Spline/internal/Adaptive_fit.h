@@ -5,21 +5,32 @@
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_ADAPTIVE_FIT_H
 
 #include <CGAL/T_splines/Spline/Adaptive_fit_report.h>
-#include <CGAL/T_splines/Spline/internal/Error_driven_splits.h>
-#include <CGAL/T_splines/Spline/internal/T_spline_fitter.h>
+#include <CGAL/T_splines/Spline/check_T_spline_self_intersections.h>
+#include <CGAL/T_splines/Spline/compile_T_spline.h>
+#include <CGAL/T_splines/Spline/internal/Fit_progress.h>
+#include <CGAL/T_splines/Spline/internal/Surface_fitter.h>
+#include <CGAL/T_splines/Spline/internal/Surface_walk.h>
 #include <CGAL/T_splines/Spline/internal/Working_t_mesh.h>
-#include <CGAL/T_splines/T_mesh/Carried_points.h>
+#include <CGAL/T_splines/Spline/measure_T_spline_deviation.h>
+#include <CGAL/T_splines/T_mesh/Carried_surface.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/grade_T_mesh.h>
+#include <CGAL/T_splines/T_mesh/internal/Face_ancestors.h>
+#include <CGAL/T_splines/T_mesh/internal/Split_position.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
+#include <CGAL/T_splines/named_parameters.h>
 
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/property_map.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/number_type_basic.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <set>
+#include <iterator>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -31,72 +42,92 @@ namespace internal {
 struct Adaptive_fit_options {
   double tolerance; ///< in the units of the points
   double fairness;
-  std::size_t largest_number_of_control_points;
-  bool is_limit_strict;      ///< or the coarsest T-mesh may have more
-  int number_of_corrections; ///< per level
+  std::size_t largest_number_of_control_points; ///< 0: as `default_limit()` says
+  int number_of_corrections;                    ///< per level
 };
 
-/// Fits, refines where the error is too large, and fits again.
+/// As many control points as a surface may need that is worth having.
+inline std::size_t default_limit(const std::size_t coarsest, const std::size_t number_of_points)
+{
+  constexpr std::size_t always_allowed = 5000;
+  return (std::max)({always_allowed, 4 * coarsest, number_of_points / 2});
+}
+
+/// Fits, refines where the surface is too far from the mesh or folds, and fits again.
 ///
-/// A refinement that needs too many control points is taken back and tried with fewer faces, those with the largest
-/// errors.
+/// There are two T-meshes: a plain one, whose faces are split, and its copy that is made spline compatible anew for
+/// each level. So the rings around extraordinary vertices are as wide as the faces of the level allow, and what they
+/// needed in one level is no burden to the next.
+///
+/// Distances at samples tell where to refine. Only when they find nothing more, the distance is measured as users
+/// would measure it; what exceeds the tolerance or folds then is refined as well.
 template <typename Kernel, typename SolverTraits, typename Visitor>
 class Adaptive_fit {
   using FT = typename Kernel::FT;
   using Working = Working_t_mesh<Kernel>;
   using Mesh = typename Working::Mesh;
   using Face = typename Mesh::Face_index;
-  using Carried = Carried_points<Mesh, FT, std::size_t>;
-  using Fitter = T_spline_fitter<Mesh, typename Working::Knot_map, typename Working::Corner_map, Kernel>;
-  using Sample = Fitting_sample<FT>;
-  using Plan = Planned_split<Mesh>;
+  using Carried = Carried_surface<Mesh>;
+  using Fitter = Surface_fitter<Mesh, typename Working::Knot_map, typename Working::Corner_map, Kernel>;
+  using Triangle_mesh = CGAL::Surface_mesh<typename Carried::Point_3>;
   using Status = Adaptive_fit_status;
 
 public:
-  /// \param t_mesh admissible; its faces have the indices of the samples' places
-  Adaptive_fit(const Working& t_mesh, const std::vector<Sample>& samples, const Adaptive_fit_options& options,
-               SolverTraits& solver, const Visitor& visitor)
+  /// \param t_mesh admissible
+  /// \param surface in its faces
+  Adaptive_fit(const Working& t_mesh, const Carried& surface, const Adaptive_fit_options& options, SolverTraits& solver,
+               const Visitor& visitor)
     : m_options(options),
       m_solver(solver),
-      m_visitor(visitor)
+      m_visitor(visitor),
+      m_points(surface.points()),
+      m_triangles(surface.triangles()),
+      m_walk(m_points, m_triangles),
+      m_stiffness(m_triangles.size(), 1),
+      m_plain{t_mesh, surface}
   {
-    m_state.t_mesh = t_mesh;
-    m_state.samples = samples;
+    for (const auto& p : m_points)
+      m_mesh.add_vertex(p);
+    for (const auto& t : m_triangles) {
+      const auto vertex = [&](const int i) {
+        return typename Triangle_mesh::Vertex_index(static_cast<unsigned>(t[i]));
+      };
+      m_mesh.add_face(vertex(0), vertex(1), vertex(2));
+    }
   }
 
   /// \tparam TMesh what the report is about
   template <typename TMesh>
   void run(Adaptive_fit_report<TMesh>& report)
   {
-    if (!start()) {
+    if (!make_compatible()) {
       report.status = Status::NOT_SPLINE_COMPATIBLE;
       return;
     }
-    const std::size_t control_points = m_state.t_mesh.mesh.number_of_vertices();
-    if (control_points > m_options.largest_number_of_control_points && m_options.is_limit_strict) {
+    const std::size_t coarsest = m_fine.t_mesh.mesh.number_of_vertices();
+    m_limit = m_options.largest_number_of_control_points;
+    if (m_limit == 0)
+      m_limit = default_limit(coarsest, m_points.size());
+    if (coarsest > m_limit) {
       report.status = Status::LIMIT_TOO_LOW;
-      report.levels.push_back({control_points, m_state.t_mesh.mesh.number_of_faces(), m_state.in_rings, {}});
+      report.levels.push_back({coarsest, m_fine.t_mesh.mesh.number_of_faces(), m_in_rings, 0, {}});
       return;
     }
-    int without_improvement = 0;
-    while (true) {
-      if (!fit_level(report))
-        return;
-      const T_spline_fit_error& error = report.levels.back().error;
-      const std::size_t last = report.levels.size() - 1;
-      const T_spline_fit_error& best = report.levels[report.best_level].error;
-      const bool improves = last == 0 || error.maximum < 0.99 * best.maximum || error.rms < 0.99 * best.rms;
-      without_improvement = improves ? 0 : without_improvement + 1;
-      if (last == 0 || error.maximum < best.maximum || (improves && error.maximum < 1.02 * best.maximum)) {
-        report.best_level = last;
-        m_best = m_state.t_mesh;
+    Fit_progress progress;
+    while (fit_level(report)) {
+      const T_spline_fit_level& level = report.levels.back();
+      const bool is_within = level.error.maximum <= m_options.tolerance && level.number_of_folded_faces == 0;
+      if (progress.add(level.number_of_control_points, level.error.maximum / m_options.tolerance,
+                       level.error.rms / m_options.tolerance, level.number_of_folded_faces, m_area_to_mend)) {
+        report.best_level = report.levels.size() - 1;
+        m_best = m_fine.t_mesh;
       }
-      if (error.maximum <= m_options.tolerance)
+      if (is_within)
         report.status = Status::WITHIN_TOLERANCE;
-      else if (without_improvement == 3)
+      else if (progress.has_stalled())
         report.status = Status::NO_IMPROVEMENT;
       else if (m_plans.empty())
-        report.status = Status::SAMPLES_EXHAUSTED;
+        report.status = Status::RESOLUTION_REACHED;
       else if (!m_visitor.go_on())
         report.status = Status::INTERRUPTED;
       else if (refine())
@@ -105,6 +136,9 @@ public:
         report.status = Status::CONTROL_POINT_LIMIT;
       return;
     }
+    // A level that cannot be fitted is no reason to give away those before.
+    if (!report.levels.empty() && report.status != Status::INTERRUPTED)
+      report.status = Status::NO_IMPROVEMENT;
   }
 
   /// The T-mesh of the best level, with its control points.
@@ -113,186 +147,175 @@ public:
 private:
   struct State {
     Working t_mesh;
-    std::vector<Sample> samples; ///< places in the faces of the T-mesh, by index
-    std::size_t in_rings = 0;
+    Carried surface;
   };
 
-  // The samples' places go along.
-  template <typename Operation>
-  static void with_carried_samples(State& state, const Operation& operation)
-  {
-    Carried carried;
-    for (std::size_t i = 0; i < state.samples.size(); ++i) {
-      const Sample& sample = state.samples[i];
-      carried.add(Face(static_cast<typename Mesh::size_type>(sample.face)), sample.u, sample.v, i);
-    }
-    operation(carried.visitor());
-    for (const Face f : state.t_mesh.mesh.faces())
-      for (const auto& point : carried.points(f)) {
-        Sample& sample = state.samples[point.payload];
-        sample.face = static_cast<int>(static_cast<std::size_t>(f));
-        sample.u = point.u;
-        sample.v = point.v;
-      }
-  }
+  // A face of the plain T-mesh that is to be split.
+  struct Plan {
+    Face face;
+    double error;    // the largest one in the face, by the tolerance
+    int longer_axis; // of the face: 0 for u, 1 for v
+  };
 
-  // Makes the T-mesh spline compatible, and graded as far as the number of control points allows.
-  bool start()
+  // Makes the copy.
+  bool make_compatible()
   {
-    constexpr double no_grading = 100;
-    const State given = m_state;
-    bool success = make_compatible(m_state);
-    while (success && m_state.t_mesh.mesh.number_of_vertices() > m_options.largest_number_of_control_points &&
-           m_largest_ratio < no_grading) {
-      m_state = given;
-      m_largest_ratio *= 2;
-      success = make_compatible(m_state);
-    }
-    return success;
-  }
-
-  bool make_compatible(State& state) const
-  {
-    Working& t = state.t_mesh;
-    bool success = false;
-    with_carried_samples(state, [&](const typename Carried::Visitor& visitor) {
-      const auto np = CGAL::parameters::visitor(visitor);
-      auto report = CGAL::T_splines::make_spline_compatible(t.mesh, t.knots, t.corners, np);
-      if (report.success() && grade_T_mesh(t.mesh, t.knots, t.corners, m_largest_ratio, np) > 0)
-        report = CGAL::T_splines::make_spline_compatible(t.mesh, t.knots, t.corners, np);
-      success = report.success();
-      state.in_rings = report.vertices_in_rings;
-    });
-    return success;
+    m_fine = m_plain;
+    m_ancestors = Face_ancestors<Mesh>();
+    const T_mesh_visitor_pair visitor(m_fine.surface.visitor(), m_ancestors.visitor());
+    Working& t = m_fine.t_mesh;
+    const auto report =
+        CGAL::T_splines::make_spline_compatible(t.mesh, t.knots, t.corners, CGAL::parameters::visitor(visitor));
+    m_in_rings = report.vertices_in_rings;
+    return report.success();
   }
 
   template <typename TMesh>
   bool fit_level(Adaptive_fit_report<TMesh>& report)
   {
-    const Working& t = m_state.t_mesh;
-    const CGAL::Constant_property_map<typename Mesh::Vertex_index, FT> weights(FT(1));
-    Fitter fitter(t.mesh, t.knots, t.corners, weights, CGAL::parameters::default_values());
-    T_spline_fit_report<Mesh> fit;
-    if (!fitter.surface().is_valid()) {
+    Working& t = m_fine.t_mesh;
+    Fitter fitter(t.mesh, t.knots, t.corners, m_fine.surface, m_walk, m_stiffness);
+    if (!fitter.fitted().surface().is_valid()) {
       report.status = Status::NOT_SPLINE_COMPATIBLE;
       return false;
     }
-    clamp_samples(fitter.surface());
-    fitter.fit(m_state.samples, FT(m_options.fairness), m_options.number_of_corrections, m_solver, m_visitor, fit);
-    for (Sample& sample : m_state.samples)
-      for (int k = 0; k < 3; ++k)
-        sample.point[k] += fitter.origin()[k];
-    report.fit.status = fit.status;
-    if (!fit.success()) {
-      report.status = fit.status == T_spline_fit_status::INTERRUPTED ? Status::INTERRUPTED : Status::FIT_FAILED;
+    T_spline_fit_report<Mesh> fit;
+    if (!fitter.fit(m_options.tolerance, m_options.fairness, m_options.number_of_corrections, m_solver, m_visitor,
+                    fit)) {
+      report.fit.status = fit.status;
+      report.status = fit.status == T_spline_fit_status::INTERRUPTED  ? Status::INTERRUPTED
+                      : fit.status == T_spline_fit_status::NO_SAMPLES ? Status::NO_SURFACE
+                                                                      : Status::FIT_FAILED;
       return false;
     }
     for (const auto v : t.mesh.vertices())
-      m_state.t_mesh.mesh.point(v) = fitter.control_point(v);
-    report.levels.push_back({t.mesh.number_of_vertices(), t.mesh.number_of_faces(), m_state.in_rings, fit.error});
+      t.mesh.point(v) = fitter.fitted().control_point(v);
+    std::vector<Face_fit> faces = fitter.faces();
+    if (are_within(faces))
+      measure(fitter, faces, fit.error);
+    std::size_t folded = 0;
+    for (const Face_fit& face : faces)
+      folded += face.has_fold;
+    report.number_of_samples = fit.number_of_samples;
+    report.levels.push_back({t.mesh.number_of_vertices(), t.mesh.number_of_faces(), m_in_rings, folded, fit.error});
     m_visitor.level_fitted(report.levels.back(), t.mesh, t.knots, t.corners, t.mesh.points());
-    plan(fitter);
+    plan(faces);
     return true;
   }
 
-  // Round-off may have led a little out of the faces.
-  template <typename Surface>
-  void clamp_samples(const Surface& surface)
+  bool are_within(const std::vector<Face_fit>& faces) const
   {
-    const auto& t_mesh = surface.t_mesh_arrays();
-    for (Sample& sample : m_state.samples) {
-      sample.u = (std::clamp)(sample.u, FT(0), t_mesh.width(sample.face));
-      sample.v = (std::clamp)(sample.v, FT(0), t_mesh.height(sample.face));
-    }
+    return std::all_of(faces.begin(), faces.end(),
+                       [&](const Face_fit& face) { return face.distance <= m_options.tolerance && !face.has_fold; });
   }
 
-  // A face with fewer samples is not split: nothing would tell whether this helps.
-  static constexpr std::size_t fewest_samples = 4;
-
-  void plan(const Fitter& fitter)
+  // What the samples did not see. Where the surface folds, it will be stiffer.
+  void measure(Fitter& fitter, std::vector<Face_fit>& faces, T_spline_fit_error& error)
   {
-    const std::size_t n = m_state.t_mesh.mesh.number_of_faces();
-    std::vector<double> error(n, 0); // by the tolerance
-    std::vector<std::size_t> number(n, 0);
-    for (std::size_t i = 0; i < m_state.samples.size(); ++i) {
-      const int f = m_state.samples[i].face;
-      error[f] = (std::max)(error[f], std::sqrt(CGAL::to_double(fitter.squared_distances()[i])) / m_options.tolerance);
-      ++number[f];
+    const auto& surface = fitter.fitted().surface();
+    const auto index = get(boost::face_index, surface.t_mesh());
+    std::vector<double> deviations(faces.size(), 0);
+    std::vector<char> folds(faces.size(), 0);
+    const auto np = parameters::tolerance(
+        m_options.tolerance,
+        parameters::face_deviation_map(
+            boost::make_iterator_property_map(deviations.begin(), index),
+            parameters::face_is_folded_map(boost::make_iterator_property_map(folds.begin(), index))));
+    const auto report = measure_T_spline_deviation(compile_T_spline(surface), m_mesh, np);
+    if (!report.success())
+      return;
+    error.maximum = report.maximum();
+    error.rms = (std::max)(report.mesh_to_surface.rms, report.surface_to_mesh.rms);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      faces[i].distance = (std::max)(faces[i].distance, deviations[i]);
+      faces[i].has_fold = faces[i].has_fold || folds[i] != 0;
     }
-    std::vector<double> error_to_mend = error;
-    for (std::size_t i = 0; i < n; ++i)
-      if (error[i] > 1 && number[i] < fewest_samples)
-        blame_surroundings(fitter.surface().t_mesh_arrays(), static_cast<int>(i), number, error[i], error_to_mend);
+    if (report.is_within_tolerance() && !report.has_folds())
+      find_self_intersections(fitter, folds, faces);
+    if (std::any_of(folds.begin(), folds.end(), [](const char fold) { return fold != 0; }))
+      fitter.stiffen(folds);
+  }
+
+  void find_self_intersections(const Fitter& fitter, std::vector<char>& folds, std::vector<Face_fit>& faces) const
+  {
+    const auto& surface = fitter.fitted().surface();
+    std::vector<Face> found;
+    check_T_spline_self_intersections(compile_T_spline(surface), m_mesh, std::back_inserter(found),
+                                      parameters::tolerance(m_options.tolerance));
+    for (const Face f : found)
+      folds[f] = faces[f].has_fold = true;
+  }
+
+  // What is to be split: the faces of the plain T-mesh under the faces of the copy that are not as they should be,
+  // those with the largest errors first. Those that are much smaller than the tolerance are left alone.
+  void plan(const std::vector<Face_fit>& faces)
+  {
+    constexpr double error_of_fold = 1.5, smallest_size = 0.1; // by the tolerance
+    std::vector<double> errors(m_plain.t_mesh.mesh.number_of_faces(), 0), areas(errors.size(), 0);
+    m_area_to_mend = 0;
+    for (const Face f : m_fine.t_mesh.mesh.faces()) {
+      const Face_fit& face = faces[f];
+      const double error = (std::max)(face.distance / m_options.tolerance, face.has_fold ? error_of_fold : 0.);
+      const Face plain = m_ancestors(f);
+      errors[plain] = (std::max)(errors[plain], error);
+      areas[plain] += face.area;
+      m_area_to_mend += error > 1 ? face.area : 0;
+    }
+    const Working& t = m_plain.t_mesh;
+    const T_mesh_coordinates coordinates(t.mesh, t.knots, t.corners);
     m_plans.clear();
-    for (std::size_t i = 0; i < n; ++i) {
-      const Face f(static_cast<typename Mesh::size_type>(i));
-      if (error_to_mend[i] > 1 && number[i] >= fewest_samples)
-        m_plans.push_back({f, error_to_mend[i], error_to_mend[i] > 2, longer_axis(fitter.surface(), f)});
+    for (const Face f : t.mesh.faces()) {
+      const double width = CGAL::to_double(coordinates.width(f)), height = CGAL::to_double(coordinates.height(f));
+      const double longer_side = std::sqrt(areas[f] * (std::max)(width / height, height / width));
+      if (errors[f] > 1 && longer_side > smallest_size * m_options.tolerance)
+        m_plans.push_back({f, errors[f], width >= height ? 0 : 1});
     }
     std::stable_sort(m_plans.begin(), m_plans.end(), [](const Plan& a, const Plan& b) { return a.error > b.error; });
   }
 
-  // An error in a small face, such as in the rings of an extraordinary vertex, that is surrounded by faces too large to
-  // follow: those are to be refined.
-  static void blame_surroundings(const T_mesh_arrays<FT>& t_mesh, const int face,
-                                 const std::vector<std::size_t>& number, const double error,
-                                 std::vector<double>& error_to_mend)
+  // Splits a face into two across its longer side, or into four.
+  template <typename Editor, typename Position>
+  void split(const Plan& plan, const bool is_in_four, Editor& editor, const Position& position)
   {
-    std::vector<int> queue{face};
-    std::set<int> reached{face};
-    for (std::size_t i = 0; i < queue.size(); ++i) {
-      const int first = t_mesh.first_of_side(queue[i], 0);
-      int h = first;
-      do {
-        const int g = t_mesh.face(T_mesh_arrays<FT>::opposite(h));
-        if (g >= 0 && reached.insert(g).second) {
-          if (number[g] < fewest_samples)
-            queue.push_back(g);
-          else
-            error_to_mend[g] = (std::max)(error_to_mend[g], error);
-        }
-        h = t_mesh.next(h);
-      } while (h != first);
-    }
+    const Mesh& mesh = m_plain.t_mesh.mesh;
+    const auto edit = editor.split_face(plan.face, plan.longer_axis, position(plan.face, plan.longer_axis));
+    if (!is_in_four)
+      return;
+    const Face other = mesh.face(mesh.opposite(edit.halfedge)), one = mesh.face(edit.halfedge);
+    for (const Face f : {one, other})
+      editor.split_face(f, 1 - plan.longer_axis, position(f, 1 - plan.longer_axis));
   }
 
-  static int longer_axis(const typename Fitter::Surface& surface, const Face f)
-  {
-    constexpr int n = 4;
-    const FT width = surface.width(f), height = surface.height(f);
-    std::array<double, 2> length{0, 0};
-    for (int i = 0; i < n; ++i)
-      for (int axis = 0; axis < 2; ++axis) {
-        const auto point = [&](const int k) {
-          const FT x = FT(k) / FT(n), half = FT(1) / FT(2);
-          return axis == 0 ? surface.position(f, width * x, height * half)
-                           : surface.position(f, width * half, height * x);
-        };
-        length[axis] += std::sqrt(CGAL::to_double(CGAL::squared_distance(point(i), point(i + 1))));
-      }
-    return length[0] >= length[1] ? 0 : 1;
-  }
+  // Neighbours of very different size share basis functions that suit neither.
+  static constexpr double largest_ratio_of_neighbours = 6;
 
-  // Returns whether the refined T-mesh has no more control points than allowed; if not, it is as before.
+  // Returns whether the refined T-mesh has no more control points than allowed; if it had, fewer faces are split, those
+  // with the largest errors.
   bool refine()
   {
-    const std::size_t before = m_state.t_mesh.mesh.number_of_vertices(),
-                      limit = (std::max)(m_options.largest_number_of_control_points, before);
+    const std::size_t before = m_fine.t_mesh.mesh.number_of_vertices();
+    // By the tolerance; and if few faces are left, what more control points cost is less than what more levels do.
+    constexpr double large_error = 2, few = 0.03;
+    const bool are_few =
+        static_cast<double>(m_plans.size()) < few * static_cast<double>(m_fine.t_mesh.mesh.number_of_faces());
+    const State plain = m_plain;
     std::size_t number = m_plans.size();
     while (number > 0) {
-      State trial = m_state;
-      with_carried_samples(trial, [&](const typename Carried::Visitor& visitor) {
-        Error_driven_splits<Mesh, typename Working::Knot_map, typename Working::Corner_map, typename Carried::Visitor>(
-            trial.t_mesh.mesh, trial.t_mesh.knots, trial.t_mesh.corners, visitor)
-            .run({m_plans.begin(), m_plans.begin() + static_cast<std::ptrdiff_t>(number)});
-      });
-      const bool is_compatible = make_compatible(trial);
-      const std::size_t after = trial.t_mesh.mesh.number_of_vertices();
-      if (is_compatible && after <= limit) {
-        m_state = std::move(trial);
+      Working& t = m_plain.t_mesh;
+      const auto visitor = m_plain.surface.visitor();
+      T_mesh_editor editor(t.mesh, t.knots, t.corners, visitor);
+      const Split_position position(t.mesh, t.knots, t.corners);
+      for (std::size_t i = 0; i < number; ++i)
+        split(m_plans[i], are_few || m_plans[i].error > large_error, editor, position);
+      grade_T_mesh(t.mesh, t.knots, t.corners, largest_ratio_of_neighbours, CGAL::parameters::visitor(visitor));
+      const bool is_compatible = make_compatible();
+      const std::size_t after = m_fine.t_mesh.mesh.number_of_vertices();
+      if (is_compatible && after <= m_limit)
         return true;
-      }
-      const double fraction = static_cast<double>(limit - before) / static_cast<double>(after - before);
+      m_plain = plain;
+      const double fraction = after > before && m_limit > before
+                                  ? static_cast<double>(m_limit - before) / static_cast<double>(after - before)
+                                  : 0;
       number = static_cast<std::size_t>(static_cast<double>(number) * (std::min)(0.9 * fraction, 0.5 + 0.4 * fraction));
     }
     return false;
@@ -301,10 +324,18 @@ private:
   const Adaptive_fit_options& m_options;
   SolverTraits& m_solver;
   const Visitor& m_visitor;
-  State m_state;
+  const std::vector<typename Carried::Point_3> m_points; // of the surface
+  const std::vector<typename Carried::Triangle> m_triangles;
+  const Surface_walk m_walk;
+  std::vector<double> m_stiffness; // of the triangles
+  Triangle_mesh m_mesh;
+  State m_plain, m_fine; // without and with what makes it spline compatible
+  Face_ancestors<Mesh> m_ancestors;
+  std::size_t m_in_rings = 0;
   Working m_best;
-  std::vector<Plan> m_plans;  // of the last level, the largest errors first
-  double m_largest_ratio = 6; // of the sizes of neighbouring faces: rings may be much smaller than what surrounds them
+  std::size_t m_limit = 0;   // of the number of control points
+  double m_area_to_mend = 0; // on the mesh
+  std::vector<Plan> m_plans; // of the last level, the largest errors first
 };
 
 } // namespace internal

@@ -71,8 +71,8 @@ std::vector<FT> face_areas(const T_mesh_arrays<FT>& t_mesh, const std::vector<Fi
   return areas;
 }
 
-/// The normal equations of a fit: the matrix and the right-hand sides of E_dist + lambda E_fair ([He06] equation (3)),
-/// both for euclidean control points.
+/// The normal equations of a fit: the matrix and the right-hand sides of E_dist + E_fair ([He06] equation (3)), both for
+/// euclidean control points.
 template <typename FT>
 class Fitting_system {
   using Basis = T_spline_basis<FT>;
@@ -90,16 +90,16 @@ public:
     find_pattern();
   }
 
-  /// Sets E_fair: the thin-plate energies of the faces, in the unit of length of the surface, in which the faces have
-  /// these areas.
-  void set_fairness(const std::vector<FT>& face_areas)
+  /// Sets E_fair: the sum of the thin-plate energies of the faces, in the unit of length of the surface, in which the
+  /// faces have these areas, each times the stiffness of the face.
+  void set_fairness(const std::vector<FT>& face_areas, const std::vector<FT>& stiffness)
   {
     m_fairness.assign(m_matrix.row.size(), FT(0));
     Thin_plate_energy<FT> energy(m_basis);
     Dense scaled;
     for (int f = 0; f < m_basis.t_mesh().number_of_faces(); ++f) {
       m_functions.enter(f);
-      scaled = energy.matrix(m_functions) / face_areas[f];
+      scaled = energy.matrix(m_functions) * (stiffness[f] / face_areas[f]);
       add(scaled, m_fairness);
     }
   }
@@ -108,34 +108,75 @@ public:
   void set_samples(const std::vector<Fitting_sample<FT>>& samples)
   {
     m_distance.assign(m_matrix.row.size(), FT(0));
-    for (std::vector<FT>& side : m_right)
-      side.assign(m_number_of_vertices, FT(0));
-    std::vector<int> order(samples.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
+    m_order.resize(samples.size());
+    std::iota(m_order.begin(), m_order.end(), 0);
+    std::stable_sort(m_order.begin(), m_order.end(),
                      [&](const int i, const int j) { return samples[i].face < samples[j].face; });
-    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-      const int face = samples[order[begin]].face;
-      while (end < order.size() && samples[order[end]].face == face)
+    m_blocks.clear();
+    for (std::size_t begin = 0, end = 0; begin < m_order.size(); begin = end) {
+      const int face = samples[m_order[begin]].face;
+      while (end < m_order.size() && samples[m_order[end]].face == face)
         ++end;
       m_functions.enter(face);
-      add_samples_of_face(samples, order, begin, end);
+      add_block(samples, begin, end);
+    }
+    set_points(samples);
+  }
+
+  /// Sets the right-hand sides to other points of the samples of which the places and the weights are as they were.
+  void set_points(const std::vector<Fitting_sample<FT>>& samples)
+  {
+    for (std::vector<FT>& side : m_right)
+      side.assign(m_number_of_vertices, FT(0));
+    for (const Block& block : m_blocks) {
+      const Eigen::Index columns = block.functions.cols();
+      m_points.resize(columns, 3);
+      for (Eigen::Index c = 0; c < columns; ++c) {
+        const Fitting_sample<FT>& sample = samples[m_order[block.begin + static_cast<std::size_t>(c)]];
+        for (int k = 0; k < 3; ++k)
+          m_points(c, k) = sample.weight * sample.point[k];
+      }
+      m_product.noalias() = block.functions * m_points;
+      for (Eigen::Index r = 0; r < m_product.rows(); ++r)
+        for (int k = 0; k < 3; ++k)
+          m_right[k][block.vertices[r]] += m_product(r, k);
+    }
+  }
+
+  /// The points of the surface with these control points at the places of the samples.
+  void evaluate(const std::vector<std::array<FT, 3>>& control_points, std::vector<std::array<FT, 3>>& result)
+  {
+    result.resize(m_order.size());
+    for (const Block& block : m_blocks) {
+      m_points.resize(block.functions.rows(), 3);
+      for (Eigen::Index r = 0; r < block.functions.rows(); ++r)
+        for (int k = 0; k < 3; ++k)
+          m_points(r, k) = control_points[block.vertices[r]][k];
+      m_product.noalias() = block.functions.transpose() * m_points;
+      for (Eigen::Index c = 0; c < m_product.rows(); ++c)
+        for (int k = 0; k < 3; ++k)
+          result[m_order[block.begin + static_cast<std::size_t>(c)]][k] = m_product(c, k);
     }
   }
 
   /// Solves for the control points by a factorization.
   /// \return false if the solver fails: the matrix is singular to working precision
   template <typename SolverTraits>
-  bool solve(const FT& lambda, SolverTraits& solver, std::vector<std::array<FT, 3>>& points)
+  bool solve(SolverTraits& solver, std::vector<std::array<FT, 3>>& points)
   {
-    set_matrix(lambda);
+    set_matrix();
     find_scale();
     scale_matrix();
     const bool is_factorized = (m_is_analyzed || solver.analyze_pattern(m_matrix)) && solver.factorize(m_matrix);
     m_is_analyzed = true;
-    points.assign(m_number_of_vertices, {FT(0), FT(0), FT(0)});
-    if (!is_factorized)
-      return false;
+    return is_factorized && solve_for_points(solver, points);
+  }
+
+  /// Solves for other points of the samples, with the last factorization.
+  template <typename SolverTraits>
+  bool solve_for_points(SolverTraits& solver, std::vector<std::array<FT, 3>>& points)
+  {
+    points.resize(m_number_of_vertices);
     for (int k = 0; k < 3; ++k) {
       if (!solver.solve(scaled_right_hand_side(k), m_solution))
         return false;
@@ -148,11 +189,11 @@ public:
   /// Solves again, after a small change of the samples: by conjugate gradients from the given control points, with the
   /// last factorization as the preconditioner, or by a new one if this does not do.
   template <typename SolverTraits>
-  bool solve_again(const FT& lambda, SolverTraits& solver, std::vector<std::array<FT, 3>>& points)
+  bool solve_again(SolverTraits& solver, std::vector<std::array<FT, 3>>& points)
   {
     constexpr int largest_number_of_iterations = 40;
     constexpr FT tolerance = FT(1e-9);
-    set_matrix(lambda);
+    set_matrix();
     scale_matrix();
     for (int k = 0; k < 3; ++k) {
       std::vector<FT> right = scaled_right_hand_side(k), product;
@@ -169,7 +210,7 @@ public:
       const int iterations = preconditioned_conjugate_gradients(
           m_matrix, solver, right, m_solution, FT(tolerance * norm / rest), largest_number_of_iterations, m_workspace);
       if (iterations == largest_number_of_iterations)
-        return solve(lambda, solver, points);
+        return solve(solver, points);
       for (int v = 0; v < m_number_of_vertices; ++v)
         points[v][k] += m_solution[v] * m_scale[v];
     }
@@ -177,10 +218,10 @@ public:
   }
 
 private:
-  void set_matrix(const FT& lambda)
+  void set_matrix()
   {
     for (std::size_t i = 0; i < m_matrix.value.size(); ++i)
-      m_matrix.value[i] = m_distance[i] + (m_fairness.empty() ? FT(0) : lambda * m_fairness[i]);
+      m_matrix.value[i] = m_distance[i] + (m_fairness.empty() ? FT(0) : m_fairness[i]);
   }
 
   // Faces are of very different sizes: with a diagonal of ones, a small pivot means dependence.
@@ -249,30 +290,33 @@ private:
     }
   }
 
-  void add_samples_of_face(const std::vector<Fitting_sample<FT>>& samples, const std::vector<int>& order,
-                           const std::size_t begin, const std::size_t end)
+  // The samples of a face: the values of its functions, a column for each sample.
+  struct Block {
+    std::size_t begin; ///< in m_order
+    std::vector<int> vertices;
+    Dense functions;
+  };
+
+  void add_block(const std::vector<Fitting_sample<FT>>& samples, const std::size_t begin, const std::size_t end)
   {
-    const std::vector<int>& vertices = m_functions.vertices();
-    const Eigen::Index n = static_cast<Eigen::Index>(vertices.size());
-    m_rows.resize(n, static_cast<Eigen::Index>(end - begin));
-    m_points.resize(static_cast<Eigen::Index>(end - begin), 3);
+    m_blocks.push_back({begin, m_functions.vertices(), {}});
+    Dense& functions = m_blocks.back().functions;
+    const Eigen::Index n = static_cast<Eigen::Index>(m_functions.vertices().size());
+    functions.resize(n, static_cast<Eigen::Index>(end - begin));
+    m_rows.resize(n, functions.cols());
     for (std::size_t i = begin; i < end; ++i) {
-      const Fitting_sample<FT>& sample = samples[order[i]];
+      const Fitting_sample<FT>& sample = samples[m_order[i]];
       const FT root = std::sqrt(sample.weight);
       const auto& jets = m_functions.template evaluate<0>(sample.u, sample.v);
       const Eigen::Index column = static_cast<Eigen::Index>(i - begin);
-      for (Eigen::Index r = 0; r < n; ++r)
+      for (Eigen::Index r = 0; r < n; ++r) {
+        functions(r, column) = jets[r][0];
         m_rows(r, column) = root * jets[r][0];
-      for (int k = 0; k < 3; ++k)
-        m_points(column, k) = root * sample.point[k];
+      }
     }
     m_square.setZero(n, n);
     m_square.template selfadjointView<Eigen::Lower>().rankUpdate(m_rows);
     add(m_square, m_distance);
-    m_product.noalias() = m_rows * m_points;
-    for (Eigen::Index r = 0; r < n; ++r)
-      for (int k = 0; k < 3; ++k)
-        m_right[k][vertices[r]] += m_product(r, k);
   }
 
   const Basis& m_basis;
@@ -285,6 +329,8 @@ private:
   std::vector<FT> m_solution;
   Conjugate_gradients_workspace<FT> m_workspace;
   std::array<std::vector<FT>, 3> m_right;
+  std::vector<int> m_order; // the samples by faces
+  std::vector<Block> m_blocks;
   Dense m_rows, m_square, m_points, m_product;
 };
 

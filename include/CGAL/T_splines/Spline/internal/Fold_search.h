@@ -64,8 +64,11 @@ public:
     for (std::size_t i = 0; i < m_surface.number_of_patches(); ++i) {
       if (m_cosines[i] > 0 && is_certified(m_surface.patch(i), m_triangles[i], largest_depth))
         ++m_number_of_certified;
-      else if (m_cosines[i] < far_turned)
-        sample_densely(i);
+      else {
+        sample(i, 6);
+        if (m_cosines[i] < far_turned)
+          sample(i, 18);
+      }
       if (m_cosines[i] <= 0)
         ++m_number_of_folds;
     }
@@ -80,9 +83,9 @@ public:
 private:
   static constexpr int largest_depth = 2;
 
-  void sample_densely(const std::size_t patch)
+  // At n x n places.
+  void sample(const std::size_t patch, const int n)
   {
-    constexpr int n = 12;
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i)
         visit(surface_sample(m_surface, m_mesh, patch, (i + 0.5) / n, (j + 0.5) / n, m_triangles[patch]));

@@ -31,7 +31,7 @@ inline Triangle_set::Point_3 closest_of_triangle(const Triangle_set::Point_3& p,
 {
   const auto normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
   const double squared_normal = normal.squared_length(), squared_side = (t[1] - t[0]).squared_length();
-  constexpr double thin = 1e-6;
+  constexpr double thin = 1e-2; // the squared sine of an angle: round-off of the normal grows with its inverse
   // A foot in the plane tells which sides are closest, if the normal is accurate.
   const bool is_thin = !(squared_normal > thin * squared_side * (t[2] - t[0]).squared_length()) ||
                        !(squared_normal > thin * squared_side * (t[2] - t[1]).squared_length());

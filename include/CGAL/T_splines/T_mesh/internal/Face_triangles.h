@@ -114,6 +114,15 @@ public:
 
   std::size_t number_of_images() const { return m_images.size(); }
 
+  /// Calls `f(face, triangle, corners)` for all images, with the places in the frame of the face of the targets of the
+  /// three halfedges that `place()` names.
+  template <typename Function>
+  void for_each_image(const Function& f) const
+  {
+    for (const Image& image : m_images)
+      f(image.face, image.triangle, image.corner);
+  }
+
 private:
   /// A triangle in the frame of a face.
   struct Image {

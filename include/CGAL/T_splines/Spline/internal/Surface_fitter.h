@@ -1,0 +1,340 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_SPLINE_INTERNAL_SURFACE_FITTER_H
+#define CGAL_T_SPLINES_SPLINE_INTERNAL_SURFACE_FITTER_H
+
+#include <CGAL/T_splines/Spline/T_spline_fit_report.h>
+#include <CGAL/T_splines/Spline/compile_T_spline.h>
+#include <CGAL/T_splines/Spline/internal/Fitted_surface.h>
+#include <CGAL/T_splines/Spline/internal/Fitting_system.h>
+#include <CGAL/T_splines/Spline/internal/Parameter_correction.h>
+#include <CGAL/T_splines/Spline/internal/Surface_sampling.h>
+#include <CGAL/T_splines/Spline/internal/Surface_walk.h>
+#include <CGAL/T_splines/T_mesh/Carried_surface.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_type_basic.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// How a face of a fitted surface lies to the mesh.
+struct Face_fit {
+  double distance = 0; ///< the largest one of its samples, either way
+  double area = 0;     ///< of the mesh under it
+  bool has_fold =
+      false; ///< the normals of surface and mesh differ by a right angle or more, or the surface meets itself
+};
+
+/// Fits the control points of one T-mesh to the surface that it carries.
+///
+/// In each Bezier cell a grid of places is fixed; so are the matrix and its factorization. What moves are the points of
+/// the mesh that they aim at: at first those under the places, then, as long as this helps, the points of the mesh that
+/// are closest to the surface there, not farther away on the mesh than a cell. So every cell is determined however few
+/// vertices the mesh has there, and the parametrization of the surface need not be that of the map, which is skewed at
+/// sharp edges, but cannot leave it by much and fold.
+template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename Kernel>
+class Surface_fitter {
+  using Fitted = Fitted_surface<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Kernel>;
+  using Carried = Carried_surface<TMesh>;
+  using Point_3 = Surface_walk::Point_3;
+  using Vector_3 = Surface_walk::Vector_3;
+
+public:
+  using FT = typename Kernel::FT;
+  using Surface = typename Fitted::Surface;
+  using Compiled = Compiled_T_spline<TMesh, Kernel>;
+  using Sample = Fitting_sample<FT>;
+
+  /// \param carried, walk must outlive this; the walk is over the points and triangles of the carried surface
+  /// \param stiffness of its triangles: by what factor the fairness is larger over them. Must outlive this
+  Surface_fitter(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
+                 const Carried& carried, const Surface_walk& walk, std::vector<double>& stiffness)
+    : m_fitted(t_mesh, knots, corners, CGAL::Constant_property_map<typename Surface::vertex_descriptor, FT>(FT(1)),
+               CGAL::parameters::default_values()),
+      m_carried(carried),
+      m_walk(walk),
+      m_stiffness_of_triangles(stiffness)
+  {
+  }
+
+  const Fitted& fitted() const { return m_fitted; }
+  const std::vector<Face_fit>& faces() const { return m_faces; } ///< after the fit
+
+  /// Fits. If the surface is almost within the tolerance but folds, it is made stiffer where it does and fitted again,
+  /// as long as this helps.
+  /// \param number_of_corrections how often the points aimed at are moved, at most
+  /// \return false if the solver fails, or the visitor stops the work: then the report says so
+  template <typename SolverTraits, typename Visitor>
+  bool fit(const double tolerance, const double fairness, const int number_of_corrections, SolverTraits& solver,
+           const Visitor& visitor, T_spline_fit_report<TMesh>& report)
+  {
+    constexpr int most_rounds = 3;
+    constexpr double almost = 1.5;
+    take_samples();
+    if (!has_samples()) {
+      report.status = T_spline_fit_status::NO_SAMPLES;
+      return false;
+    }
+    const std::vector<FT> weights = m_fitted.weights();
+    Fitting_system<FT> system(m_fitted.surface().basis(), weights);
+    std::vector<Sample> aims = fitting_samples();
+    system.set_samples(aims);
+    report.number_of_control_points = weights.size();
+    report.number_of_samples = aims.size();
+    m_stiffness.assign(m_fitted.surface().t_mesh_arrays().number_of_faces(), FT(0));
+    for (const Carried_sample& s : m_cells)
+      m_stiffness[s.face] = (std::max)(m_stiffness[s.face],
+                                       FT(fairness * m_mean_area * m_mean_area * m_stiffness_of_triangles[s.triangle]));
+    if (!fit_once(number_of_corrections, system, aims, solver, visitor, report))
+      return false;
+    for (int round = 0; round < most_rounds && fairness > 0; ++round) {
+      const std::size_t folds = number_of_folds();
+      if (folds == 0 || report.error.maximum > almost * tolerance)
+        break;
+      const T_spline_fit_report<TMesh> last_report = report;
+      const std::vector<Face_fit> last_faces = m_faces;
+      const std::vector<std::array<FT, 3>> last_points = m_control_points;
+      stiffen();
+      if (!fit_once(number_of_corrections, system, aims, solver, visitor, report))
+        return false;
+      if (number_of_folds() < folds)
+        continue;
+      report = last_report;
+      m_faces = last_faces;
+      m_control_points = last_points;
+      break;
+    }
+    m_fitted.set_control_points(m_control_points);
+    m_fitted.move_back();
+    return true;
+  }
+
+  /// Lets the triangles under some faces be stiffer in the fits to come.
+  void stiffen(const std::vector<char>& faces)
+  {
+    std::vector<std::size_t> triangles;
+    for (const Carried_sample& s : m_cells)
+      if (faces[s.face])
+        triangles.push_back(s.triangle);
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    for (const std::size_t t : triangles)
+      m_stiffness_of_triangles[t] *= 10;
+  }
+
+private:
+  void take_samples()
+  {
+    constexpr int fewest_per_cell = 3;     // in each direction
+    constexpr double smallest_turn = 0.35; // in radians, of the normal at an edge: less does not show in a cell
+    constexpr double edge_points_per_cell = 2;
+    const Surface& surface = m_fitted.surface();
+    Surface_sampling<TMesh, FT> sampling(surface.basis(), surface.indexing(), m_carried, m_walk);
+    m_cells = sampling.cells(fewest_per_cell);
+    m_edges = sampling.sharp_edges(smallest_turn, edge_points_per_cell);
+    m_corners = sampling.corners();
+    for (const Point_3& p : m_carried.points())
+      m_box += p.bbox();
+    m_fitted.set_origin({FT((m_box.xmin() + m_box.xmax()) / 2), FT((m_box.ymin() + m_box.ymax()) / 2),
+                         FT((m_box.zmin() + m_box.zmax()) / 2)});
+    double area = 0;
+    m_triangles.clear();
+    for (const Carried_sample& sample : m_cells) {
+      m_triangles.push_back(sample.triangle);
+      area += sample.area;
+    }
+    m_mean_area = area / static_cast<double>(m_cells.size());
+  }
+
+  // In every face: otherwise the surface does not cover the T-mesh.
+  bool has_samples() const
+  {
+    std::vector<char> has_sample(m_fitted.surface().t_mesh_arrays().number_of_faces(), 0);
+    for (const Carried_sample& sample : m_cells)
+      has_sample[sample.face] = sample.area > 0 || has_sample[sample.face] != 0;
+    return std::all_of(has_sample.begin(), has_sample.end(), [](const char has) { return has != 0; });
+  }
+
+  std::array<FT, 3> relative(const Point_3& p) const
+  {
+    return {FT(p.x()) - m_fitted.origin()[0], FT(p.y()) - m_fitted.origin()[1], FT(p.z()) - m_fitted.origin()[2]};
+  }
+
+  Point_3 absolute(const std::array<FT, 3>& p) const
+  {
+    return Point_3(CGAL::to_double(FT(p[0] + m_fitted.origin()[0])), CGAL::to_double(FT(p[1] + m_fitted.origin()[1])),
+                   CGAL::to_double(FT(p[2] + m_fitted.origin()[2])));
+  }
+
+  // Those of the cells, then those of the edges. Their weights are between areas and equal ones: were they areas, the
+  // surface in a narrow cell would be what its large neighbours make of it. Along a sharp edge, a strip of a cell's
+  // quarter counts once more.
+  std::vector<Sample> fitting_samples() const
+  {
+    std::vector<Sample> result;
+    const auto add = [&](const Carried_sample& s, const double factor) {
+      result.push_back({s.face, FT(s.u), FT(s.v), relative(s.point), FT(factor * std::sqrt(s.area * m_mean_area))});
+    };
+    for (const Carried_sample& s : m_cells)
+      add(s, 1);
+    for (const Carried_sample& s : m_edges)
+      add(s, 0.25);
+    return result;
+  }
+
+  template <typename SolverTraits, typename Visitor>
+  bool fit_once(const int number_of_corrections, Fitting_system<FT>& system, std::vector<Sample>& aims,
+                SolverTraits& solver, const Visitor& visitor, T_spline_fit_report<TMesh>& report)
+  {
+    std::vector<std::array<FT, 3>> points;
+    set_fairness(system);
+    report.number_of_corrections = 0;
+    report.status = T_spline_fit_status::UNDERDETERMINED;
+    if (!system.solve(solver, m_control_points))
+      return false;
+    system.evaluate(m_control_points, points);
+    report.error.rms = move_aims(points, aims);
+    report.first_error = report.error;
+    while (report.number_of_corrections < number_of_corrections) {
+      visitor.progress(static_cast<double>(report.number_of_corrections) / number_of_corrections);
+      if (!visitor.go_on()) {
+        report.status = T_spline_fit_status::INTERRUPTED;
+        return false;
+      }
+      ++report.number_of_corrections;
+      system.set_points(aims);
+      if (!system.solve_for_points(solver, m_control_points))
+        return false;
+      system.evaluate(m_control_points, points);
+      const double before = report.error.rms;
+      report.error.rms = move_aims(points, aims);
+      if (report.error.rms > 0.98 * before)
+        break;
+    }
+    report.status = T_spline_fit_status::FITTED;
+    m_fitted.set_control_points(m_control_points);
+    measure(report);
+    return true;
+  }
+
+  // At first the stiffness is the same everywhere, in units of length: cells much smaller than most would else fold
+  // between large neighbours with which they share basis functions.
+  void set_fairness(Fitting_system<FT>& system) const
+  {
+    std::vector<FT> areas(m_stiffness.size(), FT(0));
+    for (const Carried_sample& s : m_cells)
+      areas[s.face] += FT(s.area);
+    if (m_stiffness.front() > FT(0))
+      system.set_fairness(areas, m_stiffness);
+  }
+
+  std::size_t number_of_folds() const
+  {
+    return static_cast<std::size_t>(
+        std::count_if(m_faces.begin(), m_faces.end(), [](const Face_fit& face) { return face.has_fold; }));
+  }
+
+  // Where the surface folds, and a little around.
+  void stiffen()
+  {
+    const auto& t_mesh = m_fitted.surface().t_mesh_arrays();
+    for (int f = 0; f < t_mesh.number_of_faces(); ++f) {
+      if (!m_faces[f].has_fold)
+        continue;
+      m_stiffness[f] *= FT(10);
+      const int first = t_mesh.first_of_side(f, 0);
+      int h = first;
+      do {
+        const int g = t_mesh.face(t_mesh.opposite(h));
+        if (g >= 0 && !m_faces[g].has_fold)
+          m_stiffness[g] *= FT(3);
+        h = t_mesh.next(h);
+      } while (h != first);
+    }
+  }
+
+  // The samples of the cells aim at the points of the mesh that are closest to the surface there. Where that is farther
+  // than a cell from where the map has them, they aim at the mesh next to the point that far on the way.
+  // Returns the root mean square of the distances.
+  double move_aims(const std::vector<std::array<FT, 3>>& points, std::vector<Sample>& aims)
+  {
+    double sum = 0, area = 0;
+    m_feet.clear();
+    for (std::size_t i = 0; i < m_cells.size(); ++i) {
+      const Carried_sample& sample = m_cells[i];
+      const Point_3 q = absolute(points[i]);
+      m_feet.push_back(m_walk.closest(q, m_triangles[i]));
+      sum += sample.area * m_feet[i].squared_distance;
+      area += sample.area;
+      Surface_walk::Foot aim = m_feet[i];
+      const Vector_3 way = q - sample.point;
+      const double length = std::sqrt(way.squared_length());
+      if (length > sample.reach)
+        aim = m_walk.closest(sample.point + (sample.reach / length) * way, sample.triangle);
+      m_triangles[i] = aim.triangle;
+      aims[i].point = relative(aim.point);
+    }
+    return std::sqrt(sum / area);
+  }
+
+  // Distances of the surface from the mesh in the cells, and of edges and vertices of the mesh from the surface.
+  void measure(T_spline_fit_report<TMesh>& report)
+  {
+    m_faces.assign(m_fitted.surface().t_mesh_arrays().number_of_faces(), Face_fit());
+    const Compiled compiled = compile_T_spline(m_fitted.surface());
+    const auto& indexing = m_fitted.surface().indexing();
+    for (std::size_t i = 0; i < m_cells.size(); ++i) {
+      const Carried_sample& s = m_cells[i];
+      Face_fit& face = m_faces[s.face];
+      const auto n = compiled.unit_normal(indexing.face(s.face), FT(s.u), FT(s.v));
+      const Vector_3 normal(CGAL::to_double(n.x()), CGAL::to_double(n.y()), CGAL::to_double(n.z()));
+      face.distance = (std::max)(face.distance, std::sqrt(m_feet[i].squared_distance));
+      face.area += s.area;
+      face.has_fold = face.has_fold || m_walk.is_against(normal, m_feet[i]);
+    }
+    const Parameter_correction<Compiled> correction(compiled, m_fitted.surface().basis());
+    const auto measure_sample = [&](const Carried_sample& s) {
+      Sample sample{s.face, FT(s.u), FT(s.v), relative(s.point), FT(0)};
+      correction(sample);
+      const auto p = compiled.position(indexing.face(sample.face), sample.u, sample.v);
+      const double distance = std::sqrt(CGAL::squared_distance(absolute({p.x(), p.y(), p.z()}), s.point));
+      m_faces[s.face].distance = (std::max)(m_faces[s.face].distance, distance);
+    };
+    std::for_each(m_edges.begin(), m_edges.end(), measure_sample);
+    std::for_each(m_corners.begin(), m_corners.end(), measure_sample);
+    report.error.maximum = 0;
+    for (const Face_fit& face : m_faces)
+      report.error.maximum = (std::max)(report.error.maximum, face.distance);
+    report.error.extent = (std::max)({m_box.x_span(), m_box.y_span(), m_box.z_span()});
+  }
+
+  Fitted m_fitted;
+  const Carried& m_carried;
+  const Surface_walk& m_walk;
+  std::vector<double>& m_stiffness_of_triangles;
+  CGAL::Bbox_3 m_box;
+  double m_mean_area = 0; // of a sample of the cells
+  std::vector<Carried_sample> m_cells, m_edges, m_corners;
+  std::vector<FT> m_stiffness;                     // per face
+  std::vector<std::array<FT, 3>> m_control_points; // relative to the origin
+  std::vector<std::size_t> m_triangles;            // per sample of the cells: that of the point that it aims at
+  std::vector<Surface_walk::Foot> m_feet;          // likewise: the point of the mesh closest to the surface
+  std::vector<Face_fit> m_faces;
+};
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_SPLINE_INTERNAL_SURFACE_FITTER_H

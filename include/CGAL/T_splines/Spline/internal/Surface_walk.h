@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_SPLINE_INTERNAL_SURFACE_WALK_H
+#define CGAL_T_SPLINES_SPLINE_INTERNAL_SURFACE_WALK_H
+
+#include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// Closest points of a surface of triangles, found by walking over the surface: so they stay on the sheet on which the
+/// walk begins, however close another one is.
+class Surface_walk {
+public:
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Point_3 = Kernel::Point_3;
+  using Vector_3 = Kernel::Vector_3;
+  using Triangle = std::array<std::size_t, 3>;
+
+  /// A point of the surface.
+  struct Foot {
+    std::size_t triangle;
+    Point_3 point;
+    double squared_distance; ///< from the point that was asked for
+    bool is_inside;          ///< of the triangle: not on its boundary
+  };
+
+  /// \param points, triangles must outlive this
+  Surface_walk(const std::vector<Point_3>& points, const std::vector<Triangle>& triangles)
+    : m_points(points),
+      m_triangles(triangles),
+      m_first(points.size() + 1, 0)
+  {
+    for (const Triangle& t : triangles)
+      for (const std::size_t p : t)
+        ++m_first[p + 1];
+    for (std::size_t p = 0; p < points.size(); ++p)
+      m_first[p + 1] += m_first[p];
+    m_star.resize(3 * triangles.size());
+    std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      for (const std::size_t p : triangles[i])
+        m_star[next[p]++] = i;
+      const Vector_3 n = normal(i);
+      const double length = std::sqrt(n.squared_length());
+      m_unit_normals.push_back(length > 0 ? n / length : Vector_3(0, 0, 0));
+    }
+  }
+
+  /// Calls `f(triangle)` for all triangles that have a corner in common with a triangle, possibly more than once.
+  template <typename Function>
+  void for_each_neighbor(const std::size_t triangle, const Function& f) const
+  {
+    for (const std::size_t p : m_triangles[triangle])
+      for (std::size_t i = m_first[p]; i < m_first[p + 1]; ++i)
+        f(m_star[i]);
+  }
+
+  const Vector_3& unit_normal(const std::size_t triangle) const { return m_unit_normals[triangle]; }
+
+  /// The triangle on the other side of the edge from corner i to corner i + 1 of a triangle; the same if there is none.
+  std::size_t across(const std::size_t triangle, const std::size_t i) const
+  {
+    const std::size_t a = m_triangles[triangle][i], b = m_triangles[triangle][(i + 1) % 3];
+    for (std::size_t k = m_first[a]; k < m_first[a + 1]; ++k) {
+      const Triangle& t = m_triangles[m_star[k]];
+      for (std::size_t j = 0; j < 3; ++j)
+        if (t[j] == b && t[(j + 1) % 3] == a)
+          return m_star[k];
+    }
+    return triangle;
+  }
+
+  /// The point closest to `q`, as far as one gets from triangle to neighbouring triangle always coming closer.
+  Foot closest(const Point_3& q, const std::size_t start) const
+  {
+    Foot foot = closest_of(q, start);
+    while (!foot.is_inside) {
+      const Foot before = foot;
+      for_each_neighbor(before.triangle, [&](const std::size_t t) {
+        if (t == before.triangle)
+          return;
+        const Foot other = closest_of(q, t);
+        if (other.squared_distance < foot.squared_distance)
+          foot = other;
+      });
+      if (!(foot.squared_distance < before.squared_distance * (1 - 1e-12)))
+        break;
+    }
+    return foot;
+  }
+
+  /// Whether a normal points against the surface at a foot: at an edge or a corner, against all triangles around.
+  bool is_against(const Vector_3& n, const Foot& foot) const
+  {
+    if (n * m_unit_normals[foot.triangle] > 0)
+      return false;
+    if (foot.is_inside)
+      return true;
+    bool result = true;
+    for_each_neighbor(foot.triangle, [&](const std::size_t t) {
+      if (result && n * m_unit_normals[t] > 0)
+        result = CGAL::squared_distance(closest_of(foot.point, t).point, foot.point) >
+                 1e-18 * CGAL::squared_distance(m_points[m_triangles[t][0]], m_points[m_triangles[t][1]]);
+    });
+    return result;
+  }
+
+private:
+  Vector_3 normal(const std::size_t t) const
+  {
+    const Point_3& p = m_points[m_triangles[t][0]];
+    return CGAL::cross_product(m_points[m_triangles[t][1]] - p, m_points[m_triangles[t][2]] - p);
+  }
+
+  Foot closest_of(const Point_3& q, const std::size_t t) const
+  {
+    const Point_3 &a = m_points[m_triangles[t][0]], &b = m_points[m_triangles[t][1]], &c = m_points[m_triangles[t][2]];
+    const Vector_3 ab = b - a, ac = c - a, n = CGAL::cross_product(ab, ac), aq = q - a;
+    const double nn = n.squared_length();
+    Foot foot{t, a, CGAL::squared_distance(q, a), false};
+    const double x = CGAL::cross_product(aq, ac) * n, y = CGAL::cross_product(ab, aq) * n;
+    if (nn > 0 && x > 0 && y > 0 && x + y < nn) {
+      foot.point = a + (x / nn) * ab + (y / nn) * ac;
+      foot.squared_distance = CGAL::squared_distance(q, foot.point);
+      foot.is_inside = true;
+      const double longest = (std::max)(ab.squared_length(), ac.squared_length());
+      if (nn > 1e-10 * longest * longest)
+        return foot;
+    }
+    // Of a thin triangle, the boundary may be closer than what round-off made of the inside.
+    for (const Point_3& p : {closest_of_segment(q, a, b), closest_of_segment(q, b, c), closest_of_segment(q, c, a)}) {
+      const double d = CGAL::squared_distance(q, p);
+      if (d < foot.squared_distance)
+        foot = {t, p, d, false};
+    }
+    return foot;
+  }
+
+  const std::vector<Point_3>& m_points;
+  const std::vector<Triangle>& m_triangles;
+  std::vector<std::size_t> m_first, m_star; // the triangles around each point
+  std::vector<Vector_3> m_unit_normals;
+};
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_SPLINE_INTERNAL_SURFACE_WALK_H
