@@ -106,6 +106,8 @@ TEST_CASE("the vertices of a tessellation lie on the surface, cones or not", "[m
     INFO(faces.first);
     Mesh t(faces.second);
     REQUIRE(t.make_spline_compatible());
+    if (num_vertices(t.mesh) < 4)
+      continue; // the surface lies on itself, and every point has many that are closest
     t.set_random_controls(random);
     const Mesh::Surface surface = t.surface();
     Triangles mesh;
@@ -308,6 +310,8 @@ TEST_CASE("random points find no larger distance", "[measure_T_spline_deviation]
     INFO(faces.first);
     Mesh t(faces.second);
     REQUIRE(t.make_spline_compatible());
+    if (num_vertices(t.mesh) < 4)
+      continue; // the surface lies on itself, and every point has many that are closest
     t.set_random_controls(random);
     const Mesh::Surface surface = t.surface();
     Triangles mesh;

@@ -51,6 +51,7 @@ public:
     : m_mesh(mesh),
       m_surface(surface),
       m_smallest_size(smallest_size),
+      m_negligible(negligible),
       m_largest(negligible)
   {
   }
@@ -133,7 +134,8 @@ private:
   Foot measured(const Point_3& p, const Foot& hint, const std::size_t triangle, const Visit& visit)
   {
     Foot foot = m_surface.close_point(p, hint);
-    if (foot.distance > m_largest.found())
+    // Which of two sheets is closer does not matter where the point lies on one, up to round-off.
+    if (foot.distance > (std::max)(m_largest.found(), m_negligible))
       foot = m_surface.closest_point(p, foot);
     const Sample sample{p, foot, triangle};
     if (m_largest.offer(foot.distance))
@@ -214,6 +216,7 @@ private:
   double m_smallest_size;
   std::vector<Foot> m_feet; // of the points
   Sample m_farthest;
+  double m_negligible;
   Largest_distance<Part> m_largest;
 };
 
