@@ -107,11 +107,13 @@ inline std::string share_in_percent(const double share)
 /// The levels of the fit, one line each.
 inline void print_levels(std::ostream& out, const T_spline_figures& spline)
 {
-  out << "  fitting     level  control points  in rings        rms        max  (of the longest side)\n";
+  out << "  fitting     level  control points  in rings   folded        rms        max  (faces; distances by the "
+         "longest side)\n";
   for (std::size_t i = 0; i < spline.levels.size(); ++i) {
     const T_spline_figures::Level& level = spline.levels[i];
     out << std::setw(19) << i << std::setw(16) << level.control_points << std::setw(10) << level.control_points_in_rings
-        << std::setw(11) << percent(level.error.rms) << std::setw(11) << percent(level.error.maximum)
+        << std::setw(9) << level.folded_faces << std::setw(11) << percent(level.error.rms) << std::setw(11)
+        << percent(level.error.maximum)
         << (i == spline.best_level && i + 1 < spline.levels.size() ? "  the best\n" : "\n");
   }
 }
@@ -136,7 +138,10 @@ inline void print_deviation(std::ostream& out, const T_spline_figures& spline, c
       << "), face " << worst.mesh_face << " of the mesh\n";
   out << "  normals     differ by at most " << std::setprecision(3) << deviation.largest_angle << " degrees; "
       << deviation.folded_patches << " of " << spline.patches << " Bezier patches with folds, "
-      << deviation.certified_patches << " certified without\n";
+      << deviation.certified_patches << " certified without";
+  if (deviation.doubtful_patches > 0)
+    out << ", " << deviation.doubtful_patches << " where the mesh itself turns over within the tolerance";
+  out << "\n";
   out << "  self-intersections: " << deviation.self_intersections_beyond_mesh << " where the mesh has none";
   if (deviation.self_intersections > 0 || deviation.self_intersections_of_mesh > 0)
     out << " (" << deviation.self_intersections << " in all; the mesh: " << deviation.self_intersections_of_mesh << ")";

@@ -118,7 +118,7 @@ Failure reduce_cones(const Options& options, const Mesh& mesh, Chosen_spd_solver
 {
   using Status = CGAL::T_splines::Cone_reduction_status;
   const bool has_limit = options.largest_number_of_cones.has_value();
-  const double energy = options.cone_energy.value_or(has_limit ? -std::numeric_limits<double>::infinity() : 6);
+  const double energy = options.cone_energy.value_or(has_limit ? -std::numeric_limits<double>::infinity() : 3);
   const int limit = options.largest_number_of_cones.value_or(std::numeric_limits<int>::max());
   const auto np = CGAL::T_splines::parameters::maximum_energy_change(
                       energy, CGAL::T_splines::parameters::maximum_number_of_cones(limit))

@@ -40,7 +40,7 @@ struct Deviation_figures {
   One_way surface_to_mesh, mesh_to_surface;
   double largest_angle = 0; ///< between normals, in degrees
   Place worst_angle;
-  std::size_t folded_patches = 0, certified_patches = 0;
+  std::size_t folded_patches = 0, doubtful_patches = 0, certified_patches = 0;
   std::size_t self_intersections = 0;             ///< pairs of triangles of t_spline.obj
   std::size_t self_intersections_of_mesh = 0;     ///< pairs of triangles of the mesh
   std::size_t self_intersections_beyond_mesh = 0; ///< pairs of t_spline.obj where the mesh has none
@@ -57,7 +57,7 @@ struct Deviation_figures {
 /// The T-spline surface, and how it was fitted.
 struct T_spline_figures {
   struct Level {
-    std::size_t control_points = 0, faces = 0, control_points_in_rings = 0;
+    std::size_t control_points = 0, faces = 0, control_points_in_rings = 0, folded_faces = 0;
     Relative_error error; ///< at the samples
   };
 
@@ -117,7 +117,7 @@ inline void write_members(CGAL::T_splines::internal::Json_writer& json, const Re
 inline void write_members(CGAL::T_splines::internal::Json_writer& json, const T_spline_figures::Level& level)
 {
   json.member("control_points", level.control_points).member("faces", level.faces);
-  json.member("control_points_in_rings", level.control_points_in_rings);
+  json.member("control_points_in_rings", level.control_points_in_rings).member("folded_faces", level.folded_faces);
   write_members(json, level.error);
 }
 
@@ -148,7 +148,8 @@ inline void write_deviation(CGAL::T_splines::internal::Json_writer& json, const 
   write_one_way(json, "mesh_to_surface", deviation.mesh_to_surface);
   json.member("largest_angle", deviation.largest_angle);
   write_place(json, "worst_angle", deviation.worst_angle);
-  json.member("folded_patches", deviation.folded_patches).member("certified_patches", deviation.certified_patches);
+  json.member("folded_patches", deviation.folded_patches).member("doubtful_patches", deviation.doubtful_patches);
+  json.member("certified_patches", deviation.certified_patches);
   json.member("self_intersections", deviation.self_intersections);
   json.member("self_intersections_of_mesh", deviation.self_intersections_of_mesh);
   json.member("self_intersections_beyond_mesh", deviation.self_intersections_beyond_mesh);

@@ -59,6 +59,7 @@ void set_fit_figures(const Fit_report& report, T_spline_figures& figures)
     figures.levels.push_back({level.number_of_control_points,
                               level.number_of_faces,
                               level.control_points_in_rings,
+                              level.number_of_folded_faces,
                               {level.error.relative_rms(), level.error.relative_maximum()}});
 }
 
@@ -179,6 +180,7 @@ Deviation_figures figures_of(const Deviation_report& report)
   figures.largest_angle = report.normals.largest_angle * 180 / CGAL_PI;
   figures.worst_angle = place_of(report.normals.place, report.normals.point);
   figures.folded_patches = report.normals.number_of_folded_patches;
+  figures.doubtful_patches = report.normals.number_of_doubtful_patches;
   figures.certified_patches = report.normals.number_of_certified_patches;
   return figures;
 }

@@ -399,6 +399,16 @@ TEST_CASE("folds are found, and their absence is certified", "[measure_T_spline_
   CHECK(folded.normals.number_of_certified_patches >= 80);
   CHECK(is_folded.at(folded.normals.place.place.face));
   CHECK(std::count_if(is_folded.begin(), is_folded.end(), [](const auto& face) { return face.second; }) <= 16);
+  CHECK(folded.normals.number_of_doubtful_patches == 0);
+  // All triangles are within a large tolerance, and some have any normal.
+  const auto doubtful = measure_T_spline_deviation(
+      t.surface(), mesh,
+      CGAL::T_splines::parameters::tolerance(
+          100., CGAL::T_splines::parameters::face_is_folded_map(boost::make_assoc_property_map(is_folded))));
+  CHECK_FALSE(doubtful.has_folds());
+  CHECK(doubtful.normals.number_of_doubtful_patches == folded.normals.number_of_folded_patches);
+  CHECK(doubtful.normals.largest_angle == folded.normals.largest_angle);
+  CHECK(std::none_of(is_folded.begin(), is_folded.end(), [](const auto& face) { return face.second; }));
 }
 
 TEST_CASE("the closest point may lie on the other side of a thin plate", "[measure_T_spline_deviation]")
@@ -417,6 +427,11 @@ TEST_CASE("the closest point may lie on the other side of a thin plate", "[measu
   CHECK(std::abs(report.normals.largest_angle - CGAL_PI) < 1e-7);
   CHECK(report.normals.number_of_certified_patches == 0);
   CHECK(report.surface_to_mesh_place.mesh_face == Triangles::Face_index(2));
+  // The side that the surface belongs to is within the tolerance, or is not.
+  CHECK(measure_T_spline_deviation(flat.surface(), mesh, CGAL::T_splines::parameters::tolerance(0.07)).has_folds());
+  const auto thin = measure_T_spline_deviation(flat.surface(), mesh, CGAL::T_splines::parameters::tolerance(0.09));
+  CHECK_FALSE(thin.has_folds());
+  CHECK(thin.normals.number_of_doubtful_patches == thin.normals.number_of_patches);
 }
 
 TEST_CASE("rigid motions and scales change nothing but the unit", "[measure_T_spline_deviation]")

@@ -48,7 +48,7 @@ TEST_CASE("triangles cover each face once and share the points of its sides", "[
   for (const auto& surface : closed_surfaces<double>()) {
     Mesh t(surface.second);
     const Mesh::Surface spline = prepared(t);
-    for (const int n : {2, 5}) {
+    for (const int n : {3, 5}) { // in two parts, a side that ends where it begins would go there and back
       INFO(surface.first << ", " << n);
       const auto tessellation = T::tessellate_parameter_domain(spline, n);
       CHECK(tessellation.faces.size() == tessellation.triangles.size());

@@ -130,6 +130,7 @@ function deviationSection(spline) {
   return section("Deviation", element("p", { class: "ending" }, verdictOf(spline)), distanceTable(deviation, tolerance),
     table([["tolerance", percentText(tolerance)],
       ["folded Bezier patches", judged(deviation.folded_patches, `${countText(deviation.folded_patches)} of ${countText(spline.patches)}`)],
+      ["where the mesh itself turns over within the tolerance", countText(deviation.doubtful_patches)],
       ["certified without a fold", countText(deviation.certified_patches)],
       ["largest angle of normals", judged(deviation.folded_patches, turned)],
       ["self-intersections", judged(intersections, countText(intersections))],

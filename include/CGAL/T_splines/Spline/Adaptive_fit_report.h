@@ -16,14 +16,15 @@ namespace T_splines {
 
 /// Why an adaptive fit ended. With the first four values there is a surface.
 enum class Adaptive_fit_status {
-  WITHIN_TOLERANCE,      ///< neither is farther from the other than the tolerance, surface and mesh; and no folds
-  CONTROL_POINT_LIMIT,   ///< refinement would need more control points than allowed
-  NO_IMPROVEMENT,        ///< three refinements in turn reduced neither errors nor folds by a tenth
-  RESOLUTION_REACHED,    ///< the faces beyond the tolerance are so small that splitting them makes no sense
-  INVALID_TOLERANCE,     ///< the tolerance is not a positive finite number
-  NO_SURFACE,            ///< the surface has no triangles, or they do not cover the T-mesh
-  LIMIT_TOO_LOW,         ///< the coarsest spline compatible T-mesh needs more control points than allowed: see `levels`
-  INADMISSIBLE,          ///< the T-mesh is not admissible: see `fit.surface.compatibility`
+  WITHIN_TOLERANCE,    ///< neither is farther from the other than the tolerance, surface and mesh; and no folds
+  CONTROL_POINT_LIMIT, ///< refinement would need more control points than allowed
+  NO_IMPROVEMENT,      ///< eight refinements in turn, or three that doubled the control points, reduced neither errors
+                       ///< nor folds by a tenth
+  RESOLUTION_REACHED,  ///< the faces beyond the tolerance are so small that splitting them makes no sense
+  INVALID_TOLERANCE,   ///< the tolerance is not a positive finite number
+  NO_SURFACE,          ///< the surface has no triangles, or they do not cover the T-mesh
+  LIMIT_TOO_LOW,       ///< the coarsest spline compatible T-mesh needs more control points than allowed: see `levels`
+  INADMISSIBLE,        ///< the T-mesh is not admissible: see `fit.surface.compatibility`
   NOT_SPLINE_COMPATIBLE, ///< a T-mesh could not be made spline compatible, or not with as many splits as allowed
   FIT_FAILED,            ///< a fit failed: see `fit`
   INTERRUPTED            ///< the visitor stopped the work
@@ -51,8 +52,9 @@ inline const char* message(const Adaptive_fit_status status)
 /// One of the surfaces of an adaptive fit, from coarse to fine.
 struct T_spline_fit_level {
   std::size_t number_of_control_points = 0, number_of_faces = 0;
-  std::size_t control_points_in_rings = 0; ///< around extraordinary vertices
-  std::size_t number_of_folded_faces = 0;  ///< where the normals of surface and mesh differ by a right angle or more
+  std::size_t control_points_in_rings = 0;  ///< around extraordinary vertices
+  std::size_t number_of_folded_faces = 0;   ///< with folds, or where the surface meets itself
+  std::size_t number_of_doubtful_faces = 0; ///< others with doubtful places, as `Normal_deviation` says
   /// At samples; of a level that is within the tolerance at all samples, as `measure_T_spline_deviation()` measures it.
   T_spline_fit_error error;
 };

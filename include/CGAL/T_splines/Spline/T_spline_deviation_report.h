@@ -75,7 +75,11 @@ struct Deviation_place {
 };
 
 /// The normals of a surface compared with those of a mesh at the closest points. Where a closest point lies on an edge
-/// or at a vertex, the triangle with the smallest angle counts. A fold is where that is a right angle or more.
+/// or at a vertex, the triangle with the smallest angle counts.
+///
+/// Where that is a right angle or more, the surface has a fold, unless the angle with a triangle within the tolerance
+/// is less: there the mesh itself turns over within the tolerance, as at thin walls, sharp edges and where it meets
+/// itself, and the place is doubtful.
 template <typename TMesh, typename TriangleMesh>
 struct Normal_deviation {
   double largest_angle = 0;                                  ///< in radians: the largest angle found
@@ -83,7 +87,8 @@ struct Normal_deviation {
   Deviation_place<TMesh, TriangleMesh> place;                ///< where that is
   std::size_t number_of_patches = 0;                         ///< the Bezier patches
   std::size_t number_of_folded_patches = 0;                  ///< those where a fold was found
-  std::size_t number_of_certified_patches = 0; ///< those for which bounds of the normals prove that there is none
+  std::size_t number_of_doubtful_patches = 0;                ///< others with a doubtful place
+  std::size_t number_of_certified_patches = 0; ///< those for which bounds of the normals prove that there is neither
 };
 
 /// What `measure_T_spline_deviation()` found. Members that `status` does not mention have no meaning.
@@ -112,6 +117,7 @@ struct T_spline_deviation_report {
   /// returns whether no distance was found that exceeds the tolerance.
   bool is_within_tolerance() const { return maximum() <= tolerance; }
 
+  /// returns whether there are folds. Doubtful places do not count.
   bool has_folds() const { return normals.number_of_folded_patches > 0; }
 
   bool success() const { return status == T_spline_deviation_status::MEASURED; }

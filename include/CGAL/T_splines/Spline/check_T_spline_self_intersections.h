@@ -82,24 +82,28 @@ std::array<Triangle_set::Point_3, 3> corners_of(const typename boost::graph_trai
 }
 
 /// The places where a mesh passes through itself.
-class Intersection_places {
+class Mesh_intersections {
 public:
-  template <typename FacePairs, typename TriangleMesh, typename VertexPointMap>
-  Intersection_places(const FacePairs& pairs, const TriangleMesh& mesh, const VertexPointMap point_map)
+  template <typename TriangleMesh, typename VertexPointMap>
+  Mesh_intersections(const TriangleMesh& mesh, const VertexPointMap point_map)
   {
     Triangle_set set;
-    for (const auto& pair : pairs)
+    for (const auto& pair : intersecting_faces(mesh, point_map)) {
+      ++m_number_of_pairs;
       for (const auto f : {pair.first, pair.second}) {
         const std::size_t first = set.points.size();
         for (const Triangle_set::Point_3& p : corners_of(f, mesh, point_map))
           set.points.push_back(p);
         set.triangles.push_back({first, first + 1, first + 2});
       }
+    }
     if (!set.triangles.empty())
       m_tree = std::make_unique<const Triangle_tree>(set);
   }
 
-  /// Whether a corner is next to one.
+  std::size_t number_of_pairs() const { return m_number_of_pairs; }
+
+  /// Whether a corner of a triangle is next to one.
   bool is_near(const std::array<Triangle_set::Point_3, 3>& triangle, const double distance) const
   {
     return m_tree != nullptr && std::any_of(triangle.begin(), triangle.end(), [&](const Triangle_set::Point_3& p) {
@@ -108,8 +112,45 @@ public:
   }
 
 private:
+  std::size_t m_number_of_pairs = 0;
   std::unique_ptr<const Triangle_tree> m_tree; // of the triangles of the mesh that intersect; null if there are none
 };
+
+/// What `check_T_spline_self_intersections()` does.
+template <typename Surface, typename OutputIterator>
+T_spline_self_intersection_report find_new_self_intersections(const Surface& surface, const int resolution,
+                                                              const Mesh_intersections& of_mesh, const double tolerance,
+                                                              OutputIterator faces)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Tessellation = CGAL::Surface_mesh<Kernel::Point_3>;
+  Tessellation tessellation;
+  tessellate_T_spline(surface, resolution, tessellation);
+  // Its faces are added in the order of the triangles.
+  const auto of_triangle = tessellate_parameter_domain(surface, resolution).faces;
+  const auto pairs = intersecting_faces(tessellation, tessellation.points());
+
+  T_spline_self_intersection_report report;
+  report.number_of_triangles = tessellation.number_of_faces();
+  report.number_of_intersections = pairs.size();
+  report.number_of_mesh_intersections = of_mesh.number_of_pairs();
+  std::vector<int> found;
+  for (const auto& pair : pairs) {
+    const auto a = corners_of(pair.first, tessellation, tessellation.points()),
+               b = corners_of(pair.second, tessellation, tessellation.points());
+    if (of_mesh.is_near(a, tolerance) && of_mesh.is_near(b, tolerance))
+      continue;
+    if (report.number_of_new_intersections++ == 0)
+      report.place = CGAL::centroid(a[0], a[1], a[2]);
+    for (const auto f : {pair.first, pair.second})
+      found.push_back(surface.indexing().face_index(of_triangle[f]));
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  for (const int f : found)
+    *faces++ = surface.indexing().face(f);
+  return report;
+}
 
 } // namespace internal
 
@@ -135,41 +176,12 @@ check_T_spline_self_intersections(const Surface& surface, const TriangleMesh& me
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Tessellation = CGAL::Surface_mesh<Kernel::Point_3>;
   const auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, mesh));
   const int resolution = choose_parameter(get_parameter(np, np_tags::tessellation_resolution), 8);
   const double tolerance = choose_parameter(get_parameter(np, np_tags::tolerance), 0.);
-
-  Tessellation tessellation;
-  tessellate_T_spline(surface, resolution, tessellation);
-  // Its faces are added in the order of the triangles.
-  const auto of_triangle = tessellate_parameter_domain(surface, resolution).faces;
-  const auto pairs = internal::intersecting_faces(tessellation, tessellation.points());
-  const auto mesh_pairs = internal::intersecting_faces(mesh, point_map);
-  const internal::Intersection_places places(mesh_pairs, mesh, point_map);
-
-  T_spline_self_intersection_report report;
-  report.number_of_triangles = tessellation.number_of_faces();
-  report.number_of_intersections = pairs.size();
-  report.number_of_mesh_intersections = mesh_pairs.size();
-  std::vector<int> found;
-  for (const auto& pair : pairs) {
-    const auto a = internal::corners_of(pair.first, tessellation, tessellation.points()),
-               b = internal::corners_of(pair.second, tessellation, tessellation.points());
-    if (places.is_near(a, tolerance) && places.is_near(b, tolerance))
-      continue;
-    if (report.number_of_new_intersections++ == 0)
-      report.place = CGAL::centroid(a[0], a[1], a[2]);
-    for (const auto f : {pair.first, pair.second})
-      found.push_back(surface.indexing().face_index(of_triangle[f]));
-  }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  for (const int f : found)
-    *faces++ = surface.indexing().face(f);
-  return report;
+  return internal::find_new_self_intersections(surface, resolution, internal::Mesh_intersections(mesh, point_map),
+                                               tolerance, faces);
 }
 
 } // namespace T_splines

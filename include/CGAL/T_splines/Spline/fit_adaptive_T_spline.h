@@ -64,8 +64,9 @@ Carried_surface<ToTMesh> copied_surface(const Mesh_indexing<TMesh>& indexing, co
 /// In each level, the T-mesh is made spline compatible, and the control points minimize the squared distances of the
 /// surface from the mesh and the thin-plate energy of `fit_T_spline()`. The distances are taken at a grid of places in
 /// every Bezier cell and along sharp edges of the mesh. The points of the mesh that these places aim at are those that
-/// the T-mesh carries there at first, then the closest ones, as long as this reduces the root mean square by 2 percent
-/// or more. Where the surface folds, it is made stiffer.
+/// the T-mesh carries there at first, then the closest ones, as long as this reduces the root mean square by half a
+/// percent or more; the iteration is accelerated. A level begins with what the surface of the last one is closest to, if
+/// that is near. Where the surface folds, it is made stiffer.
 ///
 /// Where the distance is larger than the tolerance, or where the surface folds, the faces of the given T-mesh are split,
 /// into four if the distance is more than twice the tolerance, else into two. Neighbours differ in size by a factor of 6
@@ -88,7 +89,8 @@ Carried_surface<ToTMesh> copied_surface(const Mesh_indexing<TMesh>& indexing, co
 ///   `T_splines::parameters::maximum_number_of_control_points`: a `std::size_t` (5000, or if that is more, four times as
 ///     many as the coarsest spline compatible T-mesh has, or half as many as the mesh has vertices);
 ///   `T_splines::parameters::fairness`: as for `fit_T_spline()`, with the mean distance between the samples of a level;
-///   `CGAL::parameters::number_of_iterations`: how often the points that are aimed at are moved in a level, at most (6);
+///   `CGAL::parameters::number_of_iterations`: how often the points that are aimed at are moved in a level, at most (16), a
+///     quarter of that in levels that begin with the surface of the last one;
 ///   `CGAL::parameters::sparse_linear_solver`: as for `fit_T_spline()`;
 ///   `CGAL::parameters::visitor`: an `Adaptive_fit_visitor`;
 ///   `T_splines::parameters::relative_tolerance`, as for `is_admissible()`
@@ -119,7 +121,7 @@ fit_adaptive_T_spline(const TMesh& t_mesh, const HalfedgeKnotMap knots, const Ha
   const internal::Adaptive_fit_options options{
       tolerance, choose_parameter(get_parameter(np, np_tags::fairness), default_fairness),
       choose_parameter(get_parameter(np, np_tags::maximum_number_of_control_points), std::size_t(0)),
-      static_cast<int>(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 6))};
+      static_cast<int>(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 16))};
   if (!(options.fairness >= 0) || !std::isfinite(options.fairness)) {
     report.status = Adaptive_fit_status::FIT_FAILED;
     report.fit.status = T_spline_fit_status::INVALID_FAIRNESS;

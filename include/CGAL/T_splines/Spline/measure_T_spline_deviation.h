@@ -11,10 +11,9 @@
 #include <CGAL/T_splines/Spline/internal/Distances_to_mesh.h>
 #include <CGAL/T_splines/Spline/internal/Distances_to_surface.h>
 #include <CGAL/T_splines/Spline/internal/Fold_search.h>
+#include <CGAL/T_splines/Spline/internal/Measured_mesh.h>
 #include <CGAL/T_splines/Spline/internal/Measured_surface.h>
-#include <CGAL/T_splines/Spline/internal/Mesh_normals.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
-#include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -28,6 +27,7 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -43,25 +43,24 @@ class Deviation_measurement {
   using Place = Deviation_place<TMesh, TriangleMesh>;
 
 public:
-  /// \pre the mesh has been read, and the surface is finite
-  Deviation_measurement(const Triangle_set& mesh, const Triangle_reading<TriangleMesh>& reading, Measured& surface,
+  /// \param reading of the mesh: successful
+  /// \pre the surface has faces and is finite
+  Deviation_measurement(const Measured_mesh& mesh, const Triangle_reading<TriangleMesh>& reading, Measured& surface,
                         Report& report)
     : m_mesh(mesh),
       m_reading(reading),
       m_surface(surface),
       m_report(report),
-      m_extent(mesh.extent()),
+      m_extent(mesh.triangles.extent()),
       m_face_deviations(surface.compiled().indexing().number_of_faces(), 0.),
-      m_face_is_folded(surface.compiled().indexing().number_of_faces(), false)
+      m_face_states(surface.compiled().indexing().number_of_faces(), Fold_state::NONE)
   {
   }
 
   void measure_surface()
   {
-    const Triangle_tree tree(m_mesh);
-    const Mesh_normals normals(m_mesh);
-    Distances_to_mesh<Measured> distances(m_surface, tree, negligible(), smallest_size());
-    Fold_search<Measured> folds(m_surface, tree, normals);
+    Distances_to_mesh<Measured> distances(m_surface, m_mesh.tree, negligible(), smallest_size());
+    Fold_search<Measured> folds(m_surface, m_mesh.tree, m_mesh.normals, reach_of_doubt());
     Distance_sum sum(m_report.tolerance);
     const auto visit = [&](const Surface_sample& sample, const double distance) {
       attribute(m_surface.domain(sample.patch).face, distance);
@@ -80,17 +79,19 @@ public:
     m_report.normals.point = folds.worst().point;
     m_report.normals.place = place_of(folds.worst());
     m_report.normals.number_of_patches = m_surface.number_of_patches();
-    m_report.normals.number_of_folded_patches = folds.number_of_folds();
+    m_report.normals.number_of_folded_patches = folds.number_of(Fold_state::FOLDED);
+    m_report.normals.number_of_doubtful_patches = folds.number_of(Fold_state::DOUBTFUL);
     m_report.normals.number_of_certified_patches = folds.number_of_certified();
-    for (std::size_t i = 0; i < m_surface.number_of_patches(); ++i)
-      if (folds.has_fold(i))
-        m_face_is_folded[m_surface.domain(i).face] = true;
+    for (std::size_t i = 0; i < m_surface.number_of_patches(); ++i) {
+      Fold_state& state = m_face_states[m_surface.domain(i).face];
+      state = (std::max)(state, folds.state(i));
+    }
   }
 
   void measure_mesh()
   {
     m_surface.prepare();
-    Distances_to_surface<Measured> distances(m_mesh, m_surface, negligible(), smallest_size());
+    Distances_to_surface<Measured> distances(m_mesh.triangles, m_surface, negligible(), smallest_size());
     using Sample = typename Distances_to_surface<Measured>::Sample;
     Distance_sum sum(m_report.tolerance);
     const auto visit = [&](const Sample& sample) { attribute(sample.foot.face, sample.foot.distance); };
@@ -108,9 +109,15 @@ public:
 
   const std::vector<double>& vertex_distances() const { return m_vertex_distances; }
   double face_deviation(const std::size_t face) const { return m_face_deviations[face]; }
-  bool is_folded(const std::size_t face) const { return m_face_is_folded[face]; }
+  Fold_state face_state(const std::size_t face) const { return m_face_states[face]; }
 
 private:
+  // Without a tolerance, nothing is doubtful.
+  double reach_of_doubt() const
+  {
+    return m_report.tolerance < (std::numeric_limits<double>::infinity)() ? m_report.tolerance : 0;
+  }
+
   // Distances that need not be told apart.
   double negligible() const { return 1e-7 * m_extent; }
 
@@ -121,13 +128,13 @@ private:
   // are largest next to sharp edges.
   double number_of_surface_samples() const
   {
-    const double triangles = static_cast<double>(m_mesh.triangles.size()),
+    const double triangles = static_cast<double>(m_mesh.triangles.triangles.size()),
                  patches = static_cast<double>(m_surface.number_of_patches());
     return (std::max)(std::clamp(20 * patches + 2 * triangles, 20000., 60000.), 0.5 * triangles);
   }
   double number_of_mesh_samples() const
   {
-    return (std::max)(100000., 0.5 * static_cast<double>(m_mesh.triangles.size()));
+    return (std::max)(100000., 0.5 * static_cast<double>(m_mesh.triangles.triangles.size()));
   }
 
   // Where distances are almost constant, the search would not end soon.
@@ -163,13 +170,13 @@ private:
             m_reading.faces[sample.foot.triangle]};
   }
 
-  const Triangle_set& m_mesh;
+  const Measured_mesh& m_mesh;
   const Triangle_reading<TriangleMesh>& m_reading;
   Measured& m_surface;
   Report& m_report;
   double m_extent;
   std::vector<double> m_vertex_distances, m_face_deviations;
-  std::vector<bool> m_face_is_folded;
+  std::vector<Fold_state> m_face_states;
 };
 
 /// The compiled surface, or the surface itself if it is one: a reference then.
@@ -208,7 +215,8 @@ decltype(auto) as_compiled(const Surface& surface)
 ///     surface; written upon success, for the vertices of faces;
 ///   `T_splines::parameters::face_deviation_map`: face of the T-mesh -> `double`, writable: the largest distance found
 ///     of a point of the face from the mesh, and of a point of the mesh whose closest point is in the face;
-///   `T_splines::parameters::face_is_folded_map`: face of the T-mesh -> `bool`, writable: whether it has a fold
+///   `T_splines::parameters::face_is_folded_map`: face of the T-mesh -> `bool`, writable: whether it has a fold, doubtful
+///     places apart (`Normal_deviation`)
 /// \return the distances and angles, or why there are none. `Mesh_distance` tells the distances of other points from the
 /// mesh. Complexity: for n triangles and patches, n log n as a rule.
 template <typename Surface, typename TriangleMesh,
@@ -244,7 +252,8 @@ measure_T_spline_deviation(const Surface& surface, const TriangleMesh& mesh,
   if (!report.success())
     return report;
 
-  internal::Deviation_measurement<Compiled, TriangleMesh> measurement(triangles, reading, measured, report);
+  const internal::Measured_mesh measured_mesh(std::move(triangles));
+  internal::Deviation_measurement<Compiled, TriangleMesh> measurement(measured_mesh, reading, measured, report);
   measurement.measure_surface();
   measurement.measure_mesh();
   if constexpr (!internal::is_missing<decltype(distance_map)>)
@@ -254,7 +263,7 @@ measure_T_spline_deviation(const Surface& surface, const TriangleMesh& mesh,
     if constexpr (!internal::is_missing<decltype(deviation_map)>)
       put(deviation_map, compiled.indexing().face(f), measurement.face_deviation(f));
     if constexpr (!internal::is_missing<decltype(fold_map)>)
-      put(fold_map, compiled.indexing().face(f), measurement.is_folded(f));
+      put(fold_map, compiled.indexing().face(f), measurement.face_state(f) == internal::Fold_state::FOLDED);
   }
   return report;
 }

@@ -8,8 +8,12 @@
 #include <CGAL/T_splines/Spline/check_T_spline_self_intersections.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
 #include <CGAL/T_splines/Spline/internal/Fit_progress.h>
+#include <CGAL/T_splines/Spline/internal/Fold_state.h>
+#include <CGAL/T_splines/Spline/internal/Measured_mesh.h>
+#include <CGAL/T_splines/Spline/internal/Measured_surface.h>
 #include <CGAL/T_splines/Spline/internal/Surface_fitter.h>
 #include <CGAL/T_splines/Spline/internal/Surface_walk.h>
+#include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/Spline/internal/Working_t_mesh.h>
 #include <CGAL/T_splines/Spline/measure_T_spline_deviation.h>
 #include <CGAL/T_splines/T_mesh/Carried_surface.h>
@@ -30,6 +34,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -69,6 +74,7 @@ class Adaptive_fit {
   using Face = typename Mesh::Face_index;
   using Carried = Carried_surface<Mesh>;
   using Fitter = Surface_fitter<Mesh, typename Working::Knot_map, typename Working::Corner_map, Kernel>;
+  using Compiled = typename Fitter::Compiled;
   using Triangle_mesh = CGAL::Surface_mesh<typename Carried::Point_3>;
   using Status = Adaptive_fit_status;
 
@@ -84,16 +90,9 @@ public:
       m_triangles(surface.triangles()),
       m_walk(m_points, m_triangles),
       m_stiffness(m_triangles.size(), 1),
+      m_mesh(mesh_of(m_points, m_triangles)),
       m_plain{t_mesh, surface}
   {
-    for (const auto& p : m_points)
-      m_mesh.add_vertex(p);
-    for (const auto& t : m_triangles) {
-      const auto vertex = [&](const int i) {
-        return typename Triangle_mesh::Vertex_index(static_cast<unsigned>(t[i]));
-      };
-      m_mesh.add_face(vertex(0), vertex(1), vertex(2));
-    }
   }
 
   /// \tparam TMesh what the report is about
@@ -110,31 +109,16 @@ public:
       m_limit = default_limit(coarsest, m_points.size());
     if (coarsest > m_limit) {
       report.status = Status::LIMIT_TOO_LOW;
-      report.levels.push_back({coarsest, m_fine.t_mesh.mesh.number_of_faces(), m_in_rings, 0, {}});
+      report.levels.push_back({coarsest, m_fine.t_mesh.mesh.number_of_faces(), m_in_rings, 0, 0, {}});
       return;
     }
-    Fit_progress progress;
     while (fit_level(report)) {
-      const T_spline_fit_level& level = report.levels.back();
-      const bool is_within = level.error.maximum <= m_options.tolerance && level.number_of_folded_faces == 0;
-      if (progress.add(level.number_of_control_points, level.error.maximum / m_options.tolerance,
-                       level.error.rms / m_options.tolerance, level.number_of_folded_faces, m_area_to_mend)) {
+      if (m_progress.add(quality(report.levels.back()))) {
         report.best_level = report.levels.size() - 1;
         m_best = m_fine.t_mesh;
       }
-      if (is_within)
-        report.status = Status::WITHIN_TOLERANCE;
-      else if (progress.has_stalled())
-        report.status = Status::NO_IMPROVEMENT;
-      else if (m_plans.empty())
-        report.status = Status::RESOLUTION_REACHED;
-      else if (!m_visitor.go_on())
-        report.status = Status::INTERRUPTED;
-      else if (refine())
-        continue;
-      else
-        report.status = Status::CONTROL_POINT_LIMIT;
-      return;
+      if (is_done(report))
+        return;
     }
     // A level that cannot be fitted is no reason to give away those before.
     if (!report.levels.empty() && report.status != Status::INTERRUPTED)
@@ -145,6 +129,21 @@ public:
   const Working& best() const { return m_best; }
 
 private:
+  static Triangle_mesh mesh_of(const std::vector<typename Carried::Point_3>& points,
+                               const std::vector<typename Carried::Triangle>& triangles)
+  {
+    Triangle_mesh mesh;
+    for (const auto& p : points)
+      mesh.add_vertex(p);
+    for (const auto& t : triangles) {
+      const auto vertex = [&](const int i) {
+        return typename Triangle_mesh::Vertex_index(static_cast<unsigned>(t[i]));
+      };
+      mesh.add_face(vertex(0), vertex(1), vertex(2));
+    }
+    return mesh;
+  }
+
   struct State {
     Working t_mesh;
     Carried surface;
@@ -156,6 +155,32 @@ private:
     double error;    // the largest one in the face, by the tolerance
     int longer_axis; // of the face: 0 for u, 1 for v
   };
+
+  Fit_quality quality(const T_spline_fit_level& level) const
+  {
+    return {level.number_of_control_points,        level.error.maximum / m_options.tolerance,
+            level.error.rms / m_options.tolerance, level.number_of_folded_faces,
+            level.number_of_doubtful_faces,        m_area_to_mend};
+  }
+
+  // Refines, or says why not.
+  template <typename TMesh>
+  bool is_done(Adaptive_fit_report<TMesh>& report)
+  {
+    if (m_progress.best().is_within_tolerance())
+      report.status = Status::WITHIN_TOLERANCE;
+    else if (m_progress.has_stalled())
+      report.status = Status::NO_IMPROVEMENT;
+    else if (m_plans.empty())
+      report.status = Status::RESOLUTION_REACHED;
+    else if (!m_visitor.go_on())
+      report.status = Status::INTERRUPTED;
+    else if (refine())
+      return false;
+    else
+      report.status = Status::CONTROL_POINT_LIMIT;
+    return true;
+  }
 
   // Makes the copy.
   bool make_compatible()
@@ -173,6 +198,7 @@ private:
   template <typename TMesh>
   bool fit_level(Adaptive_fit_report<TMesh>& report)
   {
+    constexpr double almost = 2;
     Working& t = m_fine.t_mesh;
     Fitter fitter(t.mesh, t.knots, t.corners, m_fine.surface, m_walk, m_stiffness);
     if (!fitter.fitted().surface().is_valid()) {
@@ -180,8 +206,8 @@ private:
       return false;
     }
     T_spline_fit_report<Mesh> fit;
-    if (!fitter.fit(m_options.tolerance, m_options.fairness, m_options.number_of_corrections, m_solver, m_visitor,
-                    fit)) {
+    if (!fitter.fit(start(report), m_options.tolerance, m_options.fairness, m_options.number_of_corrections, m_solver,
+                    m_visitor, fit)) {
       report.fit.status = fit.status;
       report.status = fit.status == T_spline_fit_status::INTERRUPTED  ? Status::INTERRUPTED
                       : fit.status == T_spline_fit_status::NO_SAMPLES ? Status::NO_SURFACE
@@ -191,59 +217,91 @@ private:
     for (const auto v : t.mesh.vertices())
       t.mesh.point(v) = fitter.fitted().control_point(v);
     std::vector<Face_fit> faces = fitter.faces();
+    m_last.emplace(compile_T_spline(fitter.fitted().surface()), m_fine.surface);
     if (are_within(faces))
-      measure(fitter, faces, fit.error);
-    std::size_t folded = 0;
-    for (const Face_fit& face : faces)
-      folded += face.has_fold;
+      measure(faces, fit.error);
+    if (fit.error.maximum <= almost * m_options.tolerance)
+      stiffen(faces);
+    const auto number_of = [&](const Fold_state fold) {
+      return static_cast<std::size_t>(
+          std::count_if(faces.begin(), faces.end(), [&](const Face_fit& face) { return face.fold == fold; }));
+    };
     report.number_of_samples = fit.number_of_samples;
-    report.levels.push_back({t.mesh.number_of_vertices(), t.mesh.number_of_faces(), m_in_rings, folded, fit.error});
+    report.levels.push_back({t.mesh.number_of_vertices(), t.mesh.number_of_faces(), m_in_rings,
+                             number_of(Fold_state::FOLDED), number_of(Fold_state::DOUBTFUL), fit.error});
     m_visitor.level_fitted(report.levels.back(), t.mesh, t.knots, t.corners, t.mesh.points());
     plan(faces);
     return true;
   }
 
-  bool are_within(const std::vector<Face_fit>& faces) const
+  // The surface of the last level, if it is near enough to begin with.
+  template <typename TMesh>
+  const typename Fitter::Start* start(const Adaptive_fit_report<TMesh>& report) const
   {
-    return std::all_of(faces.begin(), faces.end(),
-                       [&](const Face_fit& face) { return face.distance <= m_options.tolerance && !face.has_fold; });
+    constexpr double near = 3; // by the tolerance
+    return m_last && report.levels.back().error.maximum <= near * m_options.tolerance ? &*m_last : nullptr;
   }
 
-  // What the samples did not see. Where the surface folds, it will be stiffer.
-  void measure(Fitter& fitter, std::vector<Face_fit>& faces, T_spline_fit_error& error)
+  bool are_within(const std::vector<Face_fit>& faces) const
   {
-    const auto& surface = fitter.fitted().surface();
-    const auto index = get(boost::face_index, surface.t_mesh());
-    std::vector<double> deviations(faces.size(), 0);
-    std::vector<char> folds(faces.size(), 0);
-    const auto np = parameters::tolerance(
-        m_options.tolerance,
-        parameters::face_deviation_map(
-            boost::make_iterator_property_map(deviations.begin(), index),
-            parameters::face_is_folded_map(boost::make_iterator_property_map(folds.begin(), index))));
-    const auto report = measure_T_spline_deviation(compile_T_spline(surface), m_mesh, np);
-    if (!report.success())
+    return std::all_of(faces.begin(), faces.end(), [&](const Face_fit& face) {
+      return face.distance <= m_options.tolerance && face.fold != Fold_state::FOLDED;
+    });
+  }
+
+  // Where the surface folds, it will be stiffer.
+  void stiffen(const std::vector<Face_fit>& faces)
+  {
+    constexpr double stiffer = 3;
+    std::vector<std::size_t> triangles;
+    for (const Face f : m_fine.t_mesh.mesh.faces())
+      if (faces[f].fold == Fold_state::FOLDED)
+        for (const auto& image : m_fine.surface.images(f))
+          triangles.push_back(image.triangle);
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    for (const std::size_t t : triangles)
+      m_stiffness[t] *= stiffer;
+  }
+
+  // What the samples did not see, by what `measure_T_spline_deviation()` and `check_T_spline_self_intersections()` do.
+  void measure(std::vector<Face_fit>& faces, T_spline_fit_error& error)
+  {
+    if (!m_measured_mesh) {
+      Triangle_set set;
+      m_reading = read_triangle_set(m_mesh, m_mesh.points(), set);
+      m_measured_mesh.emplace(std::move(set));
+    }
+    if (m_reading.status != T_spline_deviation_status::MEASURED)
       return;
+    Measured_surface<Compiled> measured(m_last->compiled());
+    if (!measured.is_finite())
+      return;
+    T_spline_deviation_report<Mesh, Triangle_mesh> report;
+    report.tolerance = m_options.tolerance;
+    Deviation_measurement<Compiled, Triangle_mesh> measurement(*m_measured_mesh, m_reading, measured, report);
+    measurement.measure_surface();
+    measurement.measure_mesh();
     error.maximum = report.maximum();
     error.rms = (std::max)(report.mesh_to_surface.rms, report.surface_to_mesh.rms);
     for (std::size_t i = 0; i < faces.size(); ++i) {
-      faces[i].distance = (std::max)(faces[i].distance, deviations[i]);
-      faces[i].has_fold = faces[i].has_fold || folds[i] != 0;
+      faces[i].distance = (std::max)(faces[i].distance, measurement.face_deviation(i));
+      faces[i].fold = (std::max)(faces[i].fold, measurement.face_state(i));
     }
     if (report.is_within_tolerance() && !report.has_folds())
-      find_self_intersections(fitter, folds, faces);
-    if (std::any_of(folds.begin(), folds.end(), [](const char fold) { return fold != 0; }))
-      fitter.stiffen(folds);
+      find_self_intersections(faces);
   }
 
-  void find_self_intersections(const Fitter& fitter, std::vector<char>& folds, std::vector<Face_fit>& faces) const
+  void find_self_intersections(std::vector<Face_fit>& faces)
   {
-    const auto& surface = fitter.fitted().surface();
+    constexpr int resolution = 8;
+    if (!m_mesh_intersections)
+      m_mesh_intersections.emplace(m_mesh, m_mesh.points());
     std::vector<Face> found;
-    check_T_spline_self_intersections(compile_T_spline(surface), m_mesh, std::back_inserter(found),
-                                      parameters::tolerance(m_options.tolerance));
+    find_new_self_intersections(m_last->compiled(), resolution, *m_mesh_intersections, m_options.tolerance,
+                                std::back_inserter(found));
     for (const Face f : found)
-      folds[f] = faces[f].has_fold = true;
+      faces[f].fold = Fold_state::FOLDED;
   }
 
   // What is to be split: the faces of the plain T-mesh under the faces of the copy that are not as they should be,
@@ -255,7 +313,8 @@ private:
     m_area_to_mend = 0;
     for (const Face f : m_fine.t_mesh.mesh.faces()) {
       const Face_fit& face = faces[f];
-      const double error = (std::max)(face.distance / m_options.tolerance, face.has_fold ? error_of_fold : 0.);
+      const double error =
+          (std::max)(face.distance / m_options.tolerance, face.fold == Fold_state::FOLDED ? error_of_fold : 0.);
       const Face plain = m_ancestors(f);
       errors[plain] = (std::max)(errors[plain], error);
       areas[plain] += face.area;
@@ -328,10 +387,15 @@ private:
   const std::vector<typename Carried::Triangle> m_triangles;
   const Surface_walk m_walk;
   std::vector<double> m_stiffness; // of the triangles
-  Triangle_mesh m_mesh;
+  const Triangle_mesh m_mesh;
+  Triangle_reading<Triangle_mesh> m_reading;
+  std::optional<Measured_mesh> m_measured_mesh;
+  std::optional<Mesh_intersections> m_mesh_intersections;
   State m_plain, m_fine; // without and with what makes it spline compatible
   Face_ancestors<Mesh> m_ancestors;
   std::size_t m_in_rings = 0;
+  std::optional<typename Fitter::Start> m_last; // the surface of the last level
+  Fit_progress m_progress;
   Working m_best;
   std::size_t m_limit = 0;   // of the number of control points
   double m_area_to_mend = 0; // on the mesh

@@ -7,7 +7,10 @@
 #include <CGAL/T_splines/Spline/internal/Distance_sum.h>
 #include <CGAL/T_splines/Spline/internal/Largest_distance.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
+#include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
 #include <CGAL/T_splines/Spline/internal/area_samples.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -23,8 +26,8 @@ namespace internal {
 
 /// Measures the distances of a mesh from a surface.
 ///
-/// Triangles that are large compared with the Bezier patches next to them are bisected; distances are measured at all
-/// corners and centroids. Then the parts whose bounds exceed the largest distance are bisected. There are two bounds.
+/// Edges and triangles that are large compared with the Bezier patches next to them are bisected; distances are measured
+/// at all corners and centroids. From the largest ones, steps lead to even larger ones. Then the parts whose bounds exceed the largest distance are bisected. There are two bounds.
 /// (1) The distance from a point of the surface is a convex function: it is largest at a corner of a polygon. (2) The
 /// triangle of the corners' closest points is no farther than the farthest corner, and the surface not far from that
 /// triangle.
@@ -63,6 +66,7 @@ public:
   void measure(const double number_of_samples, Distance_sum& sum, std::vector<double>& distances, const Visit& visit)
   {
     measure_points(visit);
+    measure_edges(number_of_samples, visit);
     const double smallest = affordable_size(m_mesh, (std::max)(smallest_cell(), m_smallest_size), number_of_samples);
     std::vector<Part> parts;
     for (std::size_t i = 0; i < m_mesh.triangles.size(); ++i) {
@@ -81,6 +85,7 @@ public:
         }
       }
     }
+    climb(visit);
     distances.clear();
     for (const Foot& foot : m_feet)
       distances.push_back(foot.distance);
@@ -116,6 +121,118 @@ private:
     Triangle_set::Triangle_3 triangle() const { return Triangle_set::Triangle_3(corners[0], corners[1], corners[2]); }
   };
 
+  // Means need no more samples than the area has, but the largest distances are next to sharp edges.
+  template <typename Visit>
+  void measure_edges(const double number_of_samples, const Visit& visit)
+  {
+    std::vector<std::array<std::size_t, 3>> edges; // two points and a triangle
+    double length = 0;
+    for (std::size_t i = 0; i < m_mesh.triangles.size(); ++i)
+      for (int k = 0; k < 3; ++k) {
+        const std::size_t p = m_mesh.triangles[i][k], q = m_mesh.triangles[i][(k + 1) % 3];
+        edges.push_back({(std::min)(p, q), (std::max)(p, q), i});
+      }
+    std::sort(edges.begin(), edges.end());
+    const auto is_same = [](const auto& a, const auto& b) { return a[0] == b[0] && a[1] == b[1]; };
+    edges.erase(std::unique(edges.begin(), edges.end(), is_same), edges.end());
+    for (const auto& edge : edges)
+      length += std::sqrt(CGAL::squared_distance(m_mesh.points[edge[0]], m_mesh.points[edge[1]]));
+    const double smallest = (std::max)(length / number_of_samples, m_smallest_size);
+    std::vector<Segment> segments;
+    for (const auto& edge : edges) {
+      segments.push_back({m_mesh.points[edge[0]], m_mesh.points[edge[1]], m_feet[edge[0]], m_feet[edge[1]]});
+      while (!segments.empty()) {
+        const Segment segment = segments.back();
+        segments.pop_back();
+        const double size =
+            (std::max)(smallest, (std::min)(cell_size(segment.foot.patch), cell_size(segment.other_foot.patch)));
+        if (CGAL::squared_distance(segment.point, segment.other) <= size * size)
+          continue;
+        const Point_3 middle = CGAL::midpoint(segment.point, segment.other);
+        if (middle == segment.point || middle == segment.other)
+          continue; // by round-off
+        const Foot foot = measured(middle, segment.foot, edge[2], visit);
+        segments.push_back({segment.point, middle, segment.foot, foot});
+        segments.push_back({middle, segment.other, foot, segment.other_foot});
+      }
+    }
+  }
+
+  static bool is_farther(const Sample& a, const Sample& b) { return a.foot.distance > b.foot.distance; }
+
+  // Keeps the farthest samples.
+  void keep(const Sample& sample)
+  {
+    constexpr std::size_t number_of_samples = 2000;
+    if (m_far_samples.size() == number_of_samples) {
+      if (!is_farther(sample, m_far_samples.front()))
+        return;
+      std::pop_heap(m_far_samples.begin(), m_far_samples.end(), is_farther);
+      m_far_samples.pop_back();
+    }
+    m_far_samples.push_back(sample);
+    std::push_heap(m_far_samples.begin(), m_far_samples.end(), is_farther);
+  }
+
+  // Along a sharp edge, distances are about the same everywhere, bounds are not tight, and branch and bound would not
+  // get to the largest distance soon. From where distances are large, this goes on to where they are larger.
+  template <typename Visit>
+  void climb(const Visit& visit)
+  {
+    constexpr std::size_t number_of_climbs = 300;
+    std::vector<Sample> samples, starts;
+    samples.swap(m_far_samples);
+    std::sort(samples.begin(), samples.end(), is_farther);
+    for (const Sample& sample : samples) {
+      const double size = (std::max)(cell_size(sample.foot.patch), m_smallest_size);
+      if (std::any_of(starts.begin(), starts.end(), [&](const Sample& start) {
+            return start.triangle == sample.triangle && CGAL::squared_distance(start.point, sample.point) < size * size;
+          }))
+        continue;
+      starts.push_back(sample);
+      climb(sample, size, visit);
+      if (starts.size() == number_of_climbs)
+        break;
+    }
+    m_far_samples.clear();
+  }
+
+  // By steps in six directions on the triangle that get shorter where none leads farther away from the surface.
+  template <typename Visit>
+  void climb(Sample sample, const double longest_step, const Visit& visit)
+  {
+    constexpr double shorter = 0.6, shortest = 0.02;
+    int number_of_trials = 50;
+    const Triangle_set::Triangle_3 t = m_mesh.triangle(sample.triangle);
+    const auto side = t[1] - t[0];
+    const auto normal = CGAL::cross_product(side, t[2] - t[0]);
+    if (!(normal.squared_length() > 0))
+      return;
+    const auto x = side / std::sqrt(side.squared_length());
+    const auto y = CGAL::cross_product(normal, x) / std::sqrt(normal.squared_length());
+    for (double step = longest_step; step > shortest * longest_step && number_of_trials > 0;) {
+      bool is_higher = false;
+      for (int i = 0; i < 6 && !is_higher; ++i, --number_of_trials) {
+        const double angle = CGAL_PI / 3 * i;
+        const Point_3 q = closest_of_triangle(sample.point + step * (std::cos(angle) * x + std::sin(angle) * y), t);
+        const Foot foot = measured(q, sample.foot, sample.triangle, visit);
+        is_higher = foot.distance > sample.foot.distance;
+        if (is_higher) {
+          sample.point = q;
+          sample.foot = foot;
+        }
+      }
+      if (!is_higher)
+        step *= shorter;
+    }
+  }
+
+  // Of an edge.
+  struct Segment {
+    Point_3 point, other;
+    Foot foot, other_foot;
+  };
+
   template <typename Visit>
   void measure_points(const Visit& visit)
   {
@@ -140,6 +257,7 @@ private:
     const Sample sample{p, foot, triangle};
     if (m_largest.offer(foot.distance))
       m_farthest = sample;
+    keep(sample);
     visit(sample);
     return foot;
   }
@@ -183,12 +301,19 @@ private:
     return true;
   }
 
-  // By the corners and the centroid, a rule of order 3.
+  // By the corners and the centroid, a rule of order 3; of a part that is small against the patches, by the corners.
   template <typename Visit>
   void add_to(const Part& part, const Visit& visit, Distance_sum& sum)
   {
     const Triangle_set::Triangle_3 triangle = part.triangle();
-    const double size = area(triangle);
+    const double size = area(triangle), length = length_of_longest_side(triangle);
+    constexpr double small = 0.5;
+    if (std::all_of(part.feet.begin(), part.feet.end(),
+                    [&](const Foot& foot) { return length <= small * cell_size(foot.patch); })) {
+      for (const Foot& foot : part.feet)
+        sum.add(size / 3, foot.distance);
+      return;
+    }
     for (const Foot& foot : part.feet)
       sum.add(size / 12, foot.distance);
     sum.add(0.75 * size, measured(CGAL::centroid(triangle), part.feet[0], part.number, visit).distance);
@@ -216,6 +341,7 @@ private:
   double m_smallest_size;
   std::vector<Foot> m_feet; // of the points
   Sample m_farthest;
+  std::vector<Sample> m_far_samples;
   double m_negligible;
   Largest_distance<Part> m_largest;
 };

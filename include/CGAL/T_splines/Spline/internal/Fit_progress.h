@@ -8,53 +8,75 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <tuple>
 
 namespace CGAL {
 namespace T_splines {
 namespace internal {
 
+/// How good a level of an adaptive fit is.
+struct Fit_quality {
+  std::size_t control_points;
+  double maximum, rms; ///< of the distances, by the tolerance
+  std::size_t folded_faces, doubtful_faces;
+  double area_to_mend; ///< of the surface that is not as it should be
+
+  bool is_within_tolerance() const { return maximum <= 1 && folded_faces == 0; }
+};
+
 /// Which level of an adaptive fit is the best one, and whether refinement still pays.
 class Fit_progress {
 public:
-  /// \param maximum, rms of the distances, by the tolerance
-  /// \param area_to_mend of the surface that is not as it should be
   /// \return whether this level is the best one so far; that it folds counts as a quarter of the tolerance
-  bool add(const std::size_t control_points, const double maximum, const double rms, const std::size_t folds,
-           const double area_to_mend)
+  bool add(const Fit_quality& level)
   {
     constexpr double enough = 0.9;
     bool improves = false;
-    const std::array<double, 4> figures = {maximum, rms, area_to_mend, static_cast<double>(folds)};
+    const std::array<double, 5> figures = {level.maximum, level.rms, level.area_to_mend,
+                                           static_cast<double>(level.folded_faces),
+                                           static_cast<double>(level.doubtful_faces)};
     for (std::size_t i = 0; i < figures.size(); ++i) {
       improves = improves || figures[i] < enough * m_least[i];
       m_least[i] = (std::min)(m_least[i], figures[i]);
     }
+    m_control_points = level.control_points;
+    ++m_without_improvement;
     if (improves) {
-      m_control_points = control_points;
-      m_without_improvement = m_without_more_control_points = 0;
+      m_control_points_before = level.control_points;
+      m_without_improvement = 0;
     }
-    else
-      ++(control_points > m_control_points ? m_without_improvement : m_without_more_control_points);
-    const std::tuple<double, std::size_t, double> rank((std::max)(maximum, 1.) + (folds > 0 ? 0.25 : 0.), folds,
-                                                       maximum);
-    if (!(rank < m_best))
+    const auto rank = [](const Fit_quality& l) {
+      return std::make_tuple((std::max)(l.maximum, 1.) + (l.folded_faces > 0 ? 0.25 : 0.), l.folded_faces,
+                             l.doubtful_faces, l.maximum);
+    };
+    if (m_best && !(rank(level) < rank(*m_best)))
       return false;
-    m_best = rank;
+    m_best = level;
     return true;
   }
 
-  /// Three refinements have reduced no figure by a tenth since the last one that did. Those do not count that have left
-  /// no more control points, because faces became regular; but many of them end the work, too.
-  bool has_stalled() const { return m_without_improvement == 3 || m_without_more_control_points == 8; }
+  /// \pre there is a level
+  const Fit_quality& best() const { return *m_best; }
+
+  /// How many levels in turn have reduced no figure by a tenth.
+  int number_without_improvement() const { return m_without_improvement; }
+
+  /// Three refinements have reduced no figure by a tenth though they doubled the control points; or eight have.
+  bool has_stalled() const
+  {
+    const bool are_many = m_control_points >= 2 * m_control_points_before;
+    return m_without_improvement >= (are_many ? 3 : 8);
+  }
 
 private:
   static constexpr double infinity = (std::numeric_limits<double>::max)();
 
-  std::tuple<double, std::size_t, double> m_best = {infinity, 0, 0};
-  std::array<double, 4> m_least = {infinity, infinity, infinity, infinity};
-  int m_without_improvement = 0, m_without_more_control_points = 0;
-  std::size_t m_control_points = 0; // of the last level that improved something
+  std::optional<Fit_quality> m_best;
+  std::array<double, 5> m_least = {infinity, infinity, infinity, infinity, infinity};
+  int m_without_improvement = 0;
+  std::size_t m_control_points = 0,
+              m_control_points_before = 0; // of the last level, and the last that improved something
 };
 
 } // namespace internal

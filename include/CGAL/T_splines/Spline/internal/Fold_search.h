@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Spline/internal/Bezier_part.h>
 #include <CGAL/T_splines/Spline/internal/Distances_to_mesh.h>
+#include <CGAL/T_splines/Spline/internal/Fold_state.h>
 #include <CGAL/T_splines/Spline/internal/Mesh_normals.h>
 #include <CGAL/T_splines/Spline/internal/Normal_hull.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
@@ -22,6 +23,9 @@ namespace internal {
 
 /// Compares the normals of a surface with those of a mesh at the closest points.
 ///
+/// Where they differ by a right angle or more, the surface has a fold, unless a triangle within the tolerance agrees
+/// with it: there the mesh itself turns over within the tolerance, and the place is doubtful.
+///
 /// A patch has no fold where a cone around its normals, from the Bernstein coefficients of the homogeneous normal, and
 /// the normals of all triangles on which closest points may lie are within a right angle. Patches for which that is not
 /// shown, and whose samples have turned far, are sampled more densely.
@@ -33,11 +37,13 @@ class Fold_search {
   using Patch = typename Measured::Patch;
 
 public:
-  Fold_search(const Measured& surface, const Triangle_tree& mesh, const Mesh_normals& normals)
+  Fold_search(const Measured& surface, const Triangle_tree& mesh, const Mesh_normals& normals, const double tolerance)
     : m_surface(surface),
       m_mesh(mesh),
       m_normals(normals),
+      m_tolerance(tolerance),
       m_cosines(surface.number_of_patches(), 1.),
+      m_states(surface.number_of_patches(), Fold_state::NONE),
       m_triangles(surface.number_of_patches(), 0)
   {
   }
@@ -49,8 +55,14 @@ public:
     const double length = std::sqrt(sample.normal.squared_length());
     if (!(length > 0))
       return;
+    const Vector_3 unit = sample.normal / length;
     double& smallest = m_cosines[sample.patch];
-    smallest = (std::min)(smallest, m_normals.cosine(sample.normal / length, sample.foot, smallest));
+    constexpr double positive = 1e-3;
+    const double cosine = m_normals.cosine(unit, sample.foot, (std::max)(smallest, positive));
+    Fold_state& state = m_states[sample.patch];
+    if (cosine <= 0 && state != Fold_state::FOLDED)
+      state = agrees_within_tolerance(unit, sample) ? Fold_state::DOUBTFUL : Fold_state::FOLDED;
+    smallest = (std::min)(smallest, cosine);
     if (smallest < m_smallest_cosine) {
       m_smallest_cosine = smallest;
       m_worst = sample;
@@ -69,19 +81,32 @@ public:
         if (m_cosines[i] < far_turned)
           sample(i, 18);
       }
-      if (m_cosines[i] <= 0)
-        ++m_number_of_folds;
     }
   }
 
-  std::size_t number_of_folds() const { return m_number_of_folds; }
+  std::size_t number_of(const Fold_state state) const
+  {
+    return static_cast<std::size_t>(std::count(m_states.begin(), m_states.end(), state));
+  }
   std::size_t number_of_certified() const { return m_number_of_certified; }
-  bool has_fold(const std::size_t patch) const { return m_cosines[patch] <= 0; }
+  Fold_state state(const std::size_t patch) const { return m_states[patch]; }
   double smallest_cosine() const { return m_smallest_cosine; }
   const Surface_sample& worst() const { return m_worst; }
 
 private:
   static constexpr int largest_depth = 2;
+
+  // Whether any triangle does that is as near as the tolerance allows, or as the closest one.
+  bool agrees_within_tolerance(const Vector_3& unit, const Surface_sample& sample) const
+  {
+    constexpr double as_near = 1 + 1e-9;
+    const double reach = (std::max)(m_tolerance, as_near * sample.foot.distance());
+    return !m_mesh.is_true_near(sample.point, reach, [&](const std::size_t i) {
+      return !(unit * m_normals.normal(i) > 0) ||
+             CGAL::squared_distance(sample.point, closest_of_triangle(sample.point, m_mesh.triangle(i))) >
+                 reach * reach;
+    });
+  }
 
   // At n x n places.
   void sample(const std::size_t patch, const int n)
@@ -134,11 +159,13 @@ private:
   const Measured& m_surface;
   const Triangle_tree& m_mesh;
   const Mesh_normals& m_normals;
-  std::vector<double> m_cosines;        // per patch, the smallest one
+  double m_tolerance;
+  std::vector<double> m_cosines; // per patch, the smallest one
+  std::vector<Fold_state> m_states;
   std::vector<std::size_t> m_triangles; // per patch, one near by
   Surface_sample m_worst;
   double m_smallest_cosine = 2; // so that the first sample is the worst
-  std::size_t m_number_of_folds = 0, m_number_of_certified = 0;
+  std::size_t m_number_of_certified = 0;
 };
 
 } // namespace internal

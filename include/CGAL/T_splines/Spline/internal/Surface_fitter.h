@@ -6,8 +6,12 @@
 
 #include <CGAL/T_splines/Spline/T_spline_fit_report.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
+#include <CGAL/T_splines/Spline/internal/Anderson_acceleration.h>
+#include <CGAL/T_splines/Spline/internal/Box_tree.h>
+#include <CGAL/T_splines/Spline/internal/Carried_spline.h>
 #include <CGAL/T_splines/Spline/internal/Fitted_surface.h>
 #include <CGAL/T_splines/Spline/internal/Fitting_system.h>
+#include <CGAL/T_splines/Spline/internal/Fold_state.h>
 #include <CGAL/T_splines/Spline/internal/Parameter_correction.h>
 #include <CGAL/T_splines/Spline/internal/Surface_sampling.h>
 #include <CGAL/T_splines/Spline/internal/Surface_walk.h>
@@ -22,6 +26,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -30,10 +36,9 @@ namespace internal {
 
 /// How a face of a fitted surface lies to the mesh.
 struct Face_fit {
-  double distance = 0; ///< the largest one of its samples, either way
-  double area = 0;     ///< of the mesh under it
-  bool has_fold =
-      false; ///< the normals of surface and mesh differ by a right angle or more, or the surface meets itself
+  double distance = 0;                ///< the largest one of its samples, either way
+  double area = 0;                    ///< of the mesh under it
+  Fold_state fold = Fold_state::NONE; ///< of its samples
 };
 
 /// Fits the control points of one T-mesh to the surface that it carries.
@@ -54,33 +59,32 @@ public:
   using FT = typename Kernel::FT;
   using Surface = typename Fitted::Surface;
   using Compiled = Compiled_T_spline<TMesh, Kernel>;
+  using Start = Carried_spline<Compiled, Carried>;
   using Sample = Fitting_sample<FT>;
 
   /// \param carried, walk must outlive this; the walk is over the points and triangles of the carried surface
   /// \param stiffness of its triangles: by what factor the fairness is larger over them. Must outlive this
   Surface_fitter(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                 const Carried& carried, const Surface_walk& walk, std::vector<double>& stiffness)
+                 const Carried& carried, const Surface_walk& walk, const std::vector<double>& stiffness)
     : m_fitted(t_mesh, knots, corners, CGAL::Constant_property_map<typename Surface::vertex_descriptor, FT>(FT(1)),
                CGAL::parameters::default_values()),
       m_carried(carried),
       m_walk(walk),
-      m_stiffness_of_triangles(stiffness)
+      m_stiffness(stiffness)
   {
   }
 
   const Fitted& fitted() const { return m_fitted; }
   const std::vector<Face_fit>& faces() const { return m_faces; } ///< after the fit
 
-  /// Fits. If the surface is almost within the tolerance but folds, it is made stiffer where it does and fitted again,
-  /// as long as this helps.
+  /// Fits.
   /// \param number_of_corrections how often the points aimed at are moved, at most
+  /// \param start a surface that is already near: the points that are aimed at first are those closest to it; or null
   /// \return false if the solver fails, or the visitor stops the work: then the report says so
   template <typename SolverTraits, typename Visitor>
-  bool fit(const double tolerance, const double fairness, const int number_of_corrections, SolverTraits& solver,
-           const Visitor& visitor, T_spline_fit_report<TMesh>& report)
+  bool fit(const Start* start, const double tolerance, const double fairness, const int number_of_corrections,
+           SolverTraits& solver, const Visitor& visitor, T_spline_fit_report<TMesh>& report)
   {
-    constexpr int most_rounds = 3;
-    constexpr double almost = 1.5;
     take_samples();
     if (!has_samples()) {
       report.status = T_spline_fit_status::NO_SAMPLES;
@@ -89,48 +93,22 @@ public:
     const std::vector<FT> weights = m_fitted.weights();
     Fitting_system<FT> system(m_fitted.surface().basis(), weights);
     std::vector<Sample> aims = fitting_samples();
+    if (start != nullptr)
+      aim_from(*start, aims);
     system.set_samples(aims);
     report.number_of_control_points = weights.size();
     report.number_of_samples = aims.size();
-    m_stiffness.assign(m_fitted.surface().t_mesh_arrays().number_of_faces(), FT(0));
-    for (const Carried_sample& s : m_cells)
-      m_stiffness[s.face] = (std::max)(m_stiffness[s.face],
-                                       FT(fairness * m_mean_area * m_mean_area * m_stiffness_of_triangles[s.triangle]));
-    if (!fit_once(number_of_corrections, system, aims, solver, visitor, report))
+    if (fairness > 0)
+      set_fairness(fairness, system);
+    // A surface that begins near needs fewer.
+    const int most = start == nullptr ? number_of_corrections : (number_of_corrections + 3) / 4;
+    if (!iterate(most, system, aims, solver, visitor, report))
       return false;
-    for (int round = 0; round < most_rounds && fairness > 0; ++round) {
-      const std::size_t folds = number_of_folds();
-      if (folds == 0 || report.error.maximum > almost * tolerance)
-        break;
-      const T_spline_fit_report<TMesh> last_report = report;
-      const std::vector<Face_fit> last_faces = m_faces;
-      const std::vector<std::array<FT, 3>> last_points = m_control_points;
-      stiffen();
-      if (!fit_once(number_of_corrections, system, aims, solver, visitor, report))
-        return false;
-      if (number_of_folds() < folds)
-        continue;
-      report = last_report;
-      m_faces = last_faces;
-      m_control_points = last_points;
-      break;
-    }
+    report.status = T_spline_fit_status::FITTED;
     m_fitted.set_control_points(m_control_points);
+    measure(tolerance, report);
     m_fitted.move_back();
     return true;
-  }
-
-  /// Lets the triangles under some faces be stiffer in the fits to come.
-  void stiffen(const std::vector<char>& faces)
-  {
-    std::vector<std::size_t> triangles;
-    for (const Carried_sample& s : m_cells)
-      if (faces[s.face])
-        triangles.push_back(s.triangle);
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-    for (const std::size_t t : triangles)
-      m_stiffness_of_triangles[t] *= 10;
   }
 
 private:
@@ -155,6 +133,14 @@ private:
       area += sample.area;
     }
     m_mean_area = area / static_cast<double>(m_cells.size());
+  }
+
+  void aim_from(const Start& start, std::vector<Sample>& aims)
+  {
+    m_points.clear();
+    for (const Carried_sample& s : m_cells)
+      m_points.push_back(relative(start.position(s.triangle, s.barycentric[0], s.barycentric[1])));
+    move_aims(aims);
   }
 
   // In every face: otherwise the surface does not cover the T-mesh.
@@ -194,18 +180,22 @@ private:
   }
 
   template <typename SolverTraits, typename Visitor>
-  bool fit_once(const int number_of_corrections, Fitting_system<FT>& system, std::vector<Sample>& aims,
-                SolverTraits& solver, const Visitor& visitor, T_spline_fit_report<TMesh>& report)
+  bool iterate(const int number_of_corrections, Fitting_system<FT>& system, std::vector<Sample>& aims,
+               SolverTraits& solver, const Visitor& visitor, T_spline_fit_report<TMesh>& report)
   {
-    std::vector<std::array<FT, 3>> points;
-    set_fairness(system);
     report.number_of_corrections = 0;
     report.status = T_spline_fit_status::UNDERDETERMINED;
     if (!system.solve(solver, m_control_points))
       return false;
-    system.evaluate(m_control_points, points);
-    report.error.rms = move_aims(points, aims);
+    const auto move = [&] {
+      system.evaluate(m_control_points, m_points);
+      return move_aims(aims);
+    };
+    report.error.rms = move();
     report.first_error = report.error;
+    // Control points -> aims -> control points is an iteration with a fixed point.
+    constexpr double negligible = 0.995;
+    Anderson_acceleration<FT> acceleration;
     while (report.number_of_corrections < number_of_corrections) {
       visitor.progress(static_cast<double>(report.number_of_corrections) / number_of_corrections);
       if (!visitor.go_on()) {
@@ -213,67 +203,71 @@ private:
         return false;
       }
       ++report.number_of_corrections;
+      const std::vector<std::array<FT, 3>> last = m_control_points;
       system.set_points(aims);
       if (!system.solve_for_points(solver, m_control_points))
         return false;
-      system.evaluate(m_control_points, points);
       const double before = report.error.rms;
-      report.error.rms = move_aims(points, aims);
-      if (report.error.rms > 0.98 * before)
+      const std::vector<std::array<FT, 3>> plain = m_control_points;
+      m_control_points = accelerated(acceleration, last, plain);
+      report.error.rms = move();
+      if (report.error.rms > before) {
+        acceleration.reset();
+        m_control_points = plain;
+        report.error.rms = move();
+      }
+      if (report.error.rms > negligible * before)
         break;
     }
-    report.status = T_spline_fit_status::FITTED;
-    m_fitted.set_control_points(m_control_points);
-    measure(report);
     return true;
   }
 
-  // At first the stiffness is the same everywhere, in units of length: cells much smaller than most would else fold
+  static std::vector<std::array<FT, 3>> accelerated(Anderson_acceleration<FT>& acceleration,
+                                                    const std::vector<std::array<FT, 3>>& last,
+                                                    const std::vector<std::array<FT, 3>>& next)
+  {
+    using Vector = typename Anderson_acceleration<FT>::Vector;
+    const auto vector = [](const std::vector<std::array<FT, 3>>& points) {
+      Vector result(3 * static_cast<Eigen::Index>(points.size()));
+      Eigen::Index i = 0;
+      for (const std::array<FT, 3>& p : points)
+        for (const FT& x : p)
+          result[i++] = x;
+      return result;
+    };
+    const Vector x = acceleration.next(vector(last), vector(next));
+    std::vector<std::array<FT, 3>> result(next.size());
+    Eigen::Index i = 0;
+    for (std::array<FT, 3>& p : result)
+      for (FT& y : p)
+        y = x[i++];
+    return result;
+  }
+
+  // As a rule the stiffness is the same everywhere, in units of length: cells much smaller than most would else fold
   // between large neighbours with which they share basis functions.
-  void set_fairness(Fitting_system<FT>& system) const
+  void set_fairness(const double fairness, Fitting_system<FT>& system) const
   {
-    std::vector<FT> areas(m_stiffness.size(), FT(0));
-    for (const Carried_sample& s : m_cells)
+    const FT factor = FT(fairness * m_mean_area * m_mean_area);
+    const std::size_t number_of_faces = m_fitted.surface().t_mesh_arrays().number_of_faces();
+    std::vector<FT> areas(number_of_faces, FT(0)), stiffness(number_of_faces, FT(0));
+    for (const Carried_sample& s : m_cells) {
       areas[s.face] += FT(s.area);
-    if (m_stiffness.front() > FT(0))
-      system.set_fairness(areas, m_stiffness);
-  }
-
-  std::size_t number_of_folds() const
-  {
-    return static_cast<std::size_t>(
-        std::count_if(m_faces.begin(), m_faces.end(), [](const Face_fit& face) { return face.has_fold; }));
-  }
-
-  // Where the surface folds, and a little around.
-  void stiffen()
-  {
-    const auto& t_mesh = m_fitted.surface().t_mesh_arrays();
-    for (int f = 0; f < t_mesh.number_of_faces(); ++f) {
-      if (!m_faces[f].has_fold)
-        continue;
-      m_stiffness[f] *= FT(10);
-      const int first = t_mesh.first_of_side(f, 0);
-      int h = first;
-      do {
-        const int g = t_mesh.face(t_mesh.opposite(h));
-        if (g >= 0 && !m_faces[g].has_fold)
-          m_stiffness[g] *= FT(3);
-        h = t_mesh.next(h);
-      } while (h != first);
+      stiffness[s.face] = (std::max)(stiffness[s.face], FT(factor * FT(m_stiffness[s.triangle])));
     }
+    system.set_fairness(areas, stiffness);
   }
 
   // The samples of the cells aim at the points of the mesh that are closest to the surface there. Where that is farther
   // than a cell from where the map has them, they aim at the mesh next to the point that far on the way.
   // Returns the root mean square of the distances.
-  double move_aims(const std::vector<std::array<FT, 3>>& points, std::vector<Sample>& aims)
+  double move_aims(std::vector<Sample>& aims)
   {
     double sum = 0, area = 0;
     m_feet.clear();
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
       const Carried_sample& sample = m_cells[i];
-      const Point_3 q = absolute(points[i]);
+      const Point_3 q = absolute(m_points[i]);
       m_feet.push_back(m_walk.closest(q, m_triangles[i]));
       sum += sample.area * m_feet[i].squared_distance;
       area += sample.area;
@@ -289,7 +283,7 @@ private:
   }
 
   // Distances of the surface from the mesh in the cells, and of edges and vertices of the mesh from the surface.
-  void measure(T_spline_fit_report<TMesh>& report)
+  void measure(const double tolerance, T_spline_fit_report<TMesh>& report)
   {
     m_faces.assign(m_fitted.surface().t_mesh_arrays().number_of_faces(), Face_fit());
     const Compiled compiled = compile_T_spline(m_fitted.surface());
@@ -301,33 +295,93 @@ private:
       const Vector_3 normal(CGAL::to_double(n.x()), CGAL::to_double(n.y()), CGAL::to_double(n.z()));
       face.distance = (std::max)(face.distance, std::sqrt(m_feet[i].squared_distance));
       face.area += s.area;
-      face.has_fold = face.has_fold || m_walk.is_against(normal, m_feet[i]);
+      if (face.fold != Fold_state::FOLDED && m_walk.is_against(normal, m_feet[i])) {
+        const auto p = compiled.position(indexing.face(s.face), FT(s.u), FT(s.v));
+        face.fold = m_walk.agrees_within(tolerance, normal, absolute({p.x(), p.y(), p.z()}), m_feet[i])
+                        ? Fold_state::DOUBTFUL
+                        : Fold_state::FOLDED;
+      }
     }
-    const Parameter_correction<Compiled> correction(compiled, m_fitted.surface().basis());
-    const auto measure_sample = [&](const Carried_sample& s) {
-      Sample sample{s.face, FT(s.u), FT(s.v), relative(s.point), FT(0)};
-      correction(sample);
-      const auto p = compiled.position(indexing.face(sample.face), sample.u, sample.v);
-      const double distance = std::sqrt(CGAL::squared_distance(absolute({p.x(), p.y(), p.z()}), s.point));
-      m_faces[s.face].distance = (std::max)(m_faces[s.face].distance, distance);
-    };
-    std::for_each(m_edges.begin(), m_edges.end(), measure_sample);
-    std::for_each(m_corners.begin(), m_corners.end(), measure_sample);
+    measure_points_of_mesh(tolerance, compiled);
     report.error.maximum = 0;
     for (const Face_fit& face : m_faces)
       report.error.maximum = (std::max)(report.error.maximum, face.distance);
     report.error.extent = (std::max)({m_box.x_span(), m_box.y_span(), m_box.z_span()});
   }
 
+  // From the places that the map gives them, steps lead to the closest places of the surface. Where that seems to end too
+  // early, as where the surface has left the map, they begin again at the closest sample of the surface.
+  void measure_points_of_mesh(const double tolerance, const Compiled& compiled)
+  {
+    const auto& indexing = m_fitted.surface().indexing();
+    const Parameter_correction<Compiled> correction(compiled, m_fitted.surface().basis());
+    std::optional<Box_tree<double>> tree; // of the samples of the cells
+    const auto corrected_distance = [&](Sample& sample) {
+      correction(sample);
+      const auto p = compiled.position(indexing.face(sample.face), sample.u, sample.v);
+      return std::sqrt(CGAL::squared_distance(absolute({p.x(), p.y(), p.z()}), absolute(sample.point)));
+    };
+    const auto measure_sample = [&](const Carried_sample& s) {
+      Sample sample{s.face, FT(s.u), FT(s.v), relative(s.point), FT(0)};
+      double distance = corrected_distance(sample);
+      if (distance > tolerance) {
+        if (!tree)
+          tree = tree_of_points();
+        const Carried_sample& near = m_cells[closest_sample(*tree, sample.point)];
+        Sample other{near.face, FT(near.u), FT(near.v), sample.point, FT(0)};
+        const double other_distance = corrected_distance(other);
+        if (other_distance < distance) {
+          distance = other_distance;
+          sample = other;
+        }
+      }
+      m_faces[sample.face].distance = (std::max)(m_faces[sample.face].distance, distance);
+    };
+    std::for_each(m_edges.begin(), m_edges.end(), measure_sample);
+    std::for_each(m_corners.begin(), m_corners.end(), measure_sample);
+  }
+
+  static std::array<double, 3> in_doubles(const std::array<FT, 3>& p)
+  {
+    return {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
+  }
+
+  Box_tree<double> tree_of_points() const
+  {
+    std::vector<Axis_parallel_box<double>> boxes(m_cells.size());
+    for (std::size_t i = 0; i < m_cells.size(); ++i)
+      boxes[i].extend(in_doubles(m_points[i]));
+    return Box_tree<double>(boxes);
+  }
+
+  // The sample of the cells at which the surface is closest.
+  std::size_t closest_sample(const Box_tree<double>& tree, const std::array<FT, 3>& point) const
+  {
+    std::size_t closest = 0;
+    double squared_distance = (std::numeric_limits<double>::max)();
+    const std::array<double, 3> p = in_doubles(point);
+    tree.for_each_closer(
+        p, [&] { return squared_distance; },
+        [&](const std::size_t i) {
+          const std::array<double, 3> q = in_doubles(m_points[i]);
+          const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2], squared = x * x + y * y + z * z;
+          if (squared < squared_distance) {
+            squared_distance = squared;
+            closest = i;
+          }
+        });
+    return closest;
+  }
+
   Fitted m_fitted;
   const Carried& m_carried;
   const Surface_walk& m_walk;
-  std::vector<double>& m_stiffness_of_triangles;
+  const std::vector<double>& m_stiffness; // of the triangles
   CGAL::Bbox_3 m_box;
   double m_mean_area = 0; // of a sample of the cells
   std::vector<Carried_sample> m_cells, m_edges, m_corners;
-  std::vector<FT> m_stiffness;                     // per face
   std::vector<std::array<FT, 3>> m_control_points; // relative to the origin
+  std::vector<std::array<FT, 3>> m_points;         // of the surface, at the samples, those of the cells first; likewise
   std::vector<std::size_t> m_triangles;            // per sample of the cells: that of the point that it aims at
   std::vector<Surface_walk::Foot> m_feet;          // likewise: the point of the mesh closest to the surface
   std::vector<Face_fit> m_faces;

@@ -27,8 +27,9 @@ struct Carried_sample {
   double u, v;
   std::size_t triangle; ///< of the surface, on which the point lies
   Surface_walk::Point_3 point;
-  double area;  ///< for which the sample stands; 0 if it is only to be measured
-  double reach; ///< the size of its Bezier cell on the surface
+  double area;                            ///< for which the sample stands; 0 if it is only to be measured
+  double reach;                           ///< the size of its Bezier cell on the surface
+  std::array<double, 2> barycentric = {}; ///< coordinates of the point at the second and third corner; of cells only
 };
 
 /// Takes samples of a carried surface as the Bezier cells of a spline over the T-mesh ask for them.
@@ -201,7 +202,9 @@ private:
           continue;
         const double cell = CGAL::to_double(FT(m_u[i / n + 1] - m_u[i / n])) *
                             CGAL::to_double(FT(m_v[j / n + 1] - m_v[j / n])) * area_of_unit(*found.image);
-        samples.push_back({m_face, u[i], v[j], found.image->triangle, point(found), cell / (n * n), std::sqrt(cell)});
+        const std::array<double, 2> b = inner_barycentric(found);
+        samples.push_back(
+            {m_face, u[i], v[j], found.image->triangle, point(found), cell / (n * n), std::sqrt(cell), b});
       }
   }
 
@@ -231,8 +234,15 @@ private:
   {
     const auto& t = m_surface.triangles()[found.image->triangle];
     const auto& p = m_surface.points();
-    const double y = std::clamp(found.barycentric[1], 0., 1.), z = std::clamp(found.barycentric[2], 0., 1. - y);
+    const auto [y, z] = inner_barycentric(found);
     return p[t[0]] + y * (p[t[1]] - p[t[0]]) + z * (p[t[2]] - p[t[0]]);
+  }
+
+  // At the second and third corner, of a point that is not outside.
+  static std::array<double, 2> inner_barycentric(const Found& found)
+  {
+    const double y = std::clamp(found.barycentric[1], 0., 1.);
+    return {y, std::clamp(found.barycentric[2], 0., 1. - y)};
   }
 
   void add_edge(const Image& image, const std::size_t i, const double per_cell,

@@ -8,6 +8,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -113,6 +114,23 @@ public:
                  1e-18 * CGAL::squared_distance(m_points[m_triangles[t][0]], m_points[m_triangles[t][1]]);
     });
     return result;
+  }
+
+  /// Whether a normal points along that of any triangle, among those around a foot that are not farther than a distance
+  /// from a point and hang together.
+  bool agrees_within(const double distance, const Vector_3& n, const Point_3& q, const Foot& foot) const
+  {
+    std::vector<std::size_t> seen = {foot.triangle};
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (n * m_unit_normals[seen[i]] > 0)
+        return true;
+      for_each_neighbor(seen[i], [&](const std::size_t t) {
+        if (std::find(seen.begin(), seen.end(), t) == seen.end() &&
+            closest_of(q, t).squared_distance <= distance * distance)
+          seen.push_back(t);
+      });
+    }
+    return false;
   }
 
 private:
