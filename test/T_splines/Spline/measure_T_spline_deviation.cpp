@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <type_traits>
@@ -70,6 +71,27 @@ Triangles flat_rectangle(const double z_left, const double z_right)
   return mesh;
 }
 
+// Calls `use(surface, mesh)` for closed surfaces with random control points, each `step`-th of them, and their
+// tessellations.
+template <typename Use>
+void for_each_random_surface(const unsigned seed, const std::size_t step, const int resolution, const Use& use)
+{
+  CGAL::Random random(seed);
+  const auto surfaces = closed_surfaces<double>();
+  for (std::size_t i = 0; i < surfaces.size(); i += step) {
+    INFO(surfaces[i].first);
+    Mesh t(surfaces[i].second);
+    REQUIRE(t.make_spline_compatible());
+    if (num_vertices(t.mesh) < 4)
+      continue; // the surface lies on itself, and every point has many that are closest
+    t.set_random_controls(random);
+    const Mesh::Surface surface = t.surface();
+    Triangles mesh;
+    CGAL::T_splines::tessellate_T_spline(surface, resolution, mesh);
+    use(surface, mesh);
+  }
+}
+
 } // namespace
 
 TEST_CASE("a surface is as far from its tessellation as this is from it: order two", "[measure_T_spline_deviation]")
@@ -101,22 +123,12 @@ TEST_CASE("a surface is as far from its tessellation as this is from it: order t
 
 TEST_CASE("the vertices of a tessellation lie on the surface, cones or not", "[measure_T_spline_deviation]")
 {
-  CGAL::Random random(1);
-  for (const auto& faces : closed_surfaces<double>()) {
-    INFO(faces.first);
-    Mesh t(faces.second);
-    REQUIRE(t.make_spline_compatible());
-    if (num_vertices(t.mesh) < 4)
-      continue; // the surface lies on itself, and every point has many that are closest
-    t.set_random_controls(random);
-    const Mesh::Surface surface = t.surface();
-    Triangles mesh;
-    CGAL::T_splines::tessellate_T_spline(surface, 8, mesh);
+  for_each_random_surface(1, 1, 8, [](const Mesh::Surface& surface, Triangles& mesh) {
     const auto distance = mesh.add_property_map<Triangles::Vertex_index, double>("v:distance", -1.).first;
     REQUIRE(measure_T_spline_deviation(surface, mesh, vertex_distance_map(distance)));
     for (const auto v : mesh.vertices())
       CHECK(std::abs(distance[v]) < 1e-13);
-  }
+  });
 }
 
 TEST_CASE("a mesh that is displaced along the normals is that far away", "[measure_T_spline_deviation]")
@@ -303,19 +315,7 @@ void check_against_random_points(const Report& report, const std::pair<double, d
 
 TEST_CASE("random points find no larger distance", "[measure_T_spline_deviation]")
 {
-  CGAL::Random random(7);
-  const auto surfaces = closed_surfaces<double>();
-  for (std::size_t i = 0; i < surfaces.size(); i += 2) {
-    const auto& faces = surfaces[i];
-    INFO(faces.first);
-    Mesh t(faces.second);
-    REQUIRE(t.make_spline_compatible());
-    if (num_vertices(t.mesh) < 4)
-      continue; // the surface lies on itself, and every point has many that are closest
-    t.set_random_controls(random);
-    const Mesh::Surface surface = t.surface();
-    Triangles mesh;
-    CGAL::T_splines::tessellate_T_spline(surface, 2, mesh);
+  for_each_random_surface(7, 2, 2, [](const Mesh::Surface& surface, const Triangles& mesh) {
     const auto report = measure_T_spline_deviation(surface, mesh);
     REQUIRE(report.success());
     check_against_random_points(report, random_maxima(surface, mesh, 8));
@@ -327,7 +327,7 @@ TEST_CASE("random points find no larger distance", "[measure_T_spline_deviation]
     const auto& place = report.surface_to_mesh_place.place;
     CHECK(CGAL::squared_distance(CGAL::T_splines::compile_T_spline(surface).position(place.face, place.u, place.v),
                                  report.surface_to_mesh.farthest_point) < 1e-20);
-  }
+  });
 }
 
 TEST_CASE("a bulge between the vertices is found where it is", "[measure_T_spline_deviation]")

@@ -124,10 +124,9 @@ T_spline_self_intersection_report find_new_self_intersections(const Surface& sur
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Tessellation = CGAL::Surface_mesh<Kernel::Point_3>;
+  const auto domain = tessellate_parameter_domain(surface, resolution);
   Tessellation tessellation;
-  tessellate_T_spline(surface, resolution, tessellation);
-  // Its faces are added in the order of the triangles.
-  const auto of_triangle = tessellate_parameter_domain(surface, resolution).faces;
+  add_tessellation(surface, domain, tessellation, CGAL::parameters::default_values());
   const auto pairs = intersecting_faces(tessellation, tessellation.points());
 
   T_spline_self_intersection_report report;
@@ -143,7 +142,7 @@ T_spline_self_intersection_report find_new_self_intersections(const Surface& sur
     if (report.number_of_new_intersections++ == 0)
       report.place = CGAL::centroid(a[0], a[1], a[2]);
     for (const auto f : {pair.first, pair.second})
-      found.push_back(surface.indexing().face_index(of_triangle[f]));
+      found.push_back(surface.indexing().face_index(domain.faces[f]));
   }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());

@@ -60,6 +60,46 @@ T_spline_tessellation<typename Surface::TMesh, typename Surface::FT> tessellate_
   return result;
 }
 
+namespace internal {
+
+/// What `tessellate_T_spline()` does with the parameter domain tessellated. Vertices and faces are added in the order of
+/// the places and the triangles.
+template <typename Surface, typename TriangleMesh, typename NamedParameters>
+void add_tessellation(const Surface& surface,
+                      const T_spline_tessellation<typename Surface::TMesh, typename Surface::FT>& tessellation,
+                      TriangleMesh& mesh, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto point_map =
+      choose_parameter(get_parameter(np, np_tags::output_vertex_point_map), get_property_map(CGAL::vertex_point, mesh));
+  const auto normal_map = get_parameter(np, CGAL::internal_np::vertex_normal_map);
+  const auto place_map = get_parameter(np, np_tags::vertex_place_map);
+  using Point_3 = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
+
+  std::vector<typename Surface::Point_3> positions;
+  positions.reserve(tessellation.places.size());
+  surface.positions(tessellation.places, std::back_inserter(positions));
+  std::vector<Point_3> points;
+  points.reserve(positions.size());
+  for (const auto& p : positions)
+    points.emplace_back(p.x(), p.y(), p.z());
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, tessellation.triangles, mesh,
+                                                              CGAL::parameters::default_values(),
+                                                              CGAL::parameters::vertex_point_map(point_map));
+  std::size_t i = 0; // vertices are added in the order of the points
+  for ([[maybe_unused]] const auto v : CGAL::make_range(vertices(mesh))) {
+    CGAL_assertion(get(point_map, v) == points[i]);
+    [[maybe_unused]] const auto& place = tessellation.places[i++];
+    if constexpr (!is_missing<decltype(normal_map)>)
+      put(normal_map, v, surface.unit_normal(place.face, place.u, place.v));
+    if constexpr (!is_missing<decltype(place_map)>)
+      put(place_map, v, place);
+  }
+}
+
+} // namespace internal
+
 /// tessellates a T-spline surface into a triangle mesh without cracks, as `tessellate_parameter_domain()` divides it.
 /// \tparam Surface a `T_spline_surface` or a `Compiled_T_spline`
 /// \tparam TriangleMesh a model of `MutableFaceGraph`
@@ -78,34 +118,7 @@ template <typename Surface, typename TriangleMesh,
 void tessellate_T_spline(const Surface& surface, const int resolution, TriangleMesh& mesh,
                          const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  const auto point_map =
-      choose_parameter(get_parameter(np, np_tags::output_vertex_point_map), get_property_map(CGAL::vertex_point, mesh));
-  const auto normal_map = get_parameter(np, CGAL::internal_np::vertex_normal_map);
-  const auto place_map = get_parameter(np, np_tags::vertex_place_map);
-  using Point_3 = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
-
-  const auto tessellation = tessellate_parameter_domain(surface, resolution);
-  std::vector<typename Surface::Point_3> positions;
-  positions.reserve(tessellation.places.size());
-  surface.positions(tessellation.places, std::back_inserter(positions));
-  std::vector<Point_3> points;
-  points.reserve(positions.size());
-  for (const auto& p : positions)
-    points.emplace_back(p.x(), p.y(), p.z());
-  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, tessellation.triangles, mesh,
-                                                              CGAL::parameters::default_values(),
-                                                              CGAL::parameters::vertex_point_map(point_map));
-  std::size_t i = 0; // vertices are added in the order of the points
-  for ([[maybe_unused]] const auto v : CGAL::make_range(vertices(mesh))) {
-    CGAL_assertion(get(point_map, v) == points[i]);
-    [[maybe_unused]] const auto& place = tessellation.places[i++];
-    if constexpr (!internal::is_missing<decltype(normal_map)>)
-      put(normal_map, v, surface.unit_normal(place.face, place.u, place.v));
-    if constexpr (!internal::is_missing<decltype(place_map)>)
-      put(place_map, v, place);
-  }
+  internal::add_tessellation(surface, tessellate_parameter_domain(surface, resolution), mesh, np);
 }
 
 } // namespace T_splines

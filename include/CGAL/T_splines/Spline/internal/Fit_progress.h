@@ -59,9 +59,6 @@ public:
   /// \pre there is a level
   const Fit_quality& best() const { return *m_best; }
 
-  /// How many levels in turn have reduced no figure by a tenth.
-  int number_without_improvement() const { return m_without_improvement; }
-
   /// Three refinements have reduced no figure by a tenth though they doubled the control points; or eight have.
   bool has_stalled() const
   {
