@@ -45,7 +45,7 @@ struct Figures {
   };
   /// What was done to the cones of a computed field.
   struct Cone_reduction {
-    int cones_before = 0, cones = 0, merges = 0;
+    int cones_before = 0, cones = 0, loop_turns = 0, splits = 0, merges = 0;
     double energy_before = 0, energy = 0;
   };
   struct Signature {
@@ -122,6 +122,7 @@ inline void write_signature_figures(CGAL::T_splines::internal::Json_writer& json
     const Figures::Cone_reduction& reduction = *signature.reduction;
     json.key("cone_reduction").begin_object();
     json.member("cones_before", reduction.cones_before).member("cones", reduction.cones);
+    json.member("loop_turns", reduction.loop_turns).member("splits", reduction.splits);
     json.member("merges", reduction.merges);
     json.member("energy_before", reduction.energy_before).member("energy", reduction.energy);
     json.end_object();

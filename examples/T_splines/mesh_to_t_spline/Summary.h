@@ -21,8 +21,10 @@ inline void print_cones(std::ostream& out, const Figures::Signature& signature)
   for (const auto& cone : signature.cones)
     ++counts[cone.second];
   out << "  signature   " << signature.source << ": ";
-  if (signature.reduction && signature.reduction->merges > 0)
-    out << signature.reduction->cones_before << " cones reduced to " << signature.cones.size();
+  const auto& reduction = signature.reduction;
+  if (reduction && reduction->merges + reduction->splits > 0)
+    out << reduction->cones_before
+        << (reduction->cones < reduction->cones_before ? " cones reduced to " : " cones split to ") << reduction->cones;
   else
     out << signature.cones.size() << (signature.cones.size() == 1 ? " cone" : " cones");
   const char* separator = " (";

@@ -135,6 +135,8 @@ Failure reduce_cones(const Options& options, const Mesh& mesh, Chosen_spd_solver
   Figures::Cone_reduction& reduction = figures.reduction.emplace();
   reduction.cones_before = report.number_of_cones_before;
   reduction.cones = report.number_of_cones;
+  reduction.loop_turns = report.number_of_loop_turns;
+  reduction.splits = report.number_of_splits;
   reduction.merges = report.number_of_merges;
   reduction.energy_before = report.energy_before;
   reduction.energy = report.energy;

@@ -12,6 +12,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/IO/OFF.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
@@ -338,6 +339,99 @@ TEST_CASE("a pair of cones that does not belong there goes first")
       CHECK(report.number_of_merges == 1);
       CHECK(are_equal(*mesh, signature, disturbed));
     }
+  }
+}
+
+TEST_CASE("the corners of a box of twelve triangles become its cones")
+{
+  const test::Soup box = cube(1);
+  const auto corner = [&](const double x, const double y, const double z) {
+    const auto p = std::find(box.points.begin(), box.points.end(), test::Point_3(x, y, z));
+    REQUIRE(p != box.points.end());
+    return Mesh::Vertex_index(static_cast<unsigned int>(p - box.points.begin()));
+  };
+  for (const double length : {1., 4., 20.}) {
+    test::Soup stretched = box;
+    for (test::Point_3& p : stretched.points)
+      p = test::Point_3(length * p.x(), length * p.y(), p.z());
+    const Mesh mesh = test::to_mesh<Mesh>(stretched);
+    Signature pairs, uneven; // two quarter turns at every other corner; and what a smooth field may come to
+    for (const auto v : {corner(0, 0, 0), corner(1, 1, 0), corner(1, 0, 1), corner(0, 1, 1)})
+      pairs.set_quarter_turns(v, 2);
+    uneven.set_quarter_turns(corner(0, 0, 0), 1);
+    uneven.set_quarter_turns(corner(1, 1, 0), 2);
+    for (const auto v : {corner(0, 1, 0), corner(1, 1, 1), corner(1, 0, 1)})
+      uneven.set_quarter_turns(v, 3);
+    for (Signature* signature : {&pairs, &uneven}) {
+      REQUIRE(ts::check_holonomy_signature(mesh, *signature).success());
+      const auto report = ts::reduce_cones(mesh, *signature);
+      CHECK(report.success());
+      CHECK(report.number_of_splits == (signature == &pairs ? 4 : 3));
+      CHECK(report.number_of_merges == 0);
+      CHECK(report.energy_before > 0.2);
+      CHECK(report.energy == Approx(0).margin(1e-9)); // the surface of the box is flat elsewhere
+      for (const auto v : vertices(mesh))
+        CHECK(signature->quarter_turns(v) == 3);
+    }
+  }
+}
+
+TEST_CASE("the corners of a tetrahedron become cones of two quarter turns")
+{
+  Mesh mesh;
+  CGAL::make_tetrahedron(test::Point_3(1, 1, 1), test::Point_3(1, -1, -1), test::Point_3(-1, 1, -1),
+                         test::Point_3(-1, -1, 1), mesh);
+  Signature signature;
+  const std::vector<Mesh::Vertex_index> corners(vertices(mesh).begin(), vertices(mesh).end());
+  for (const auto& [corner, k] : {std::pair(0, 1), std::pair(1, 3), std::pair(2, 2), std::pair(3, 2)})
+    signature.set_quarter_turns(corners[corner], k);
+  REQUIRE(ts::check_holonomy_signature(mesh, signature).success());
+  const auto report = ts::reduce_cones(mesh, signature);
+  CHECK(report.energy == Approx(0).margin(1e-9));
+  for (const auto v : vertices(mesh))
+    CHECK(signature.quarter_turns(v) == 2);
+}
+
+TEST_CASE("loops turn as they should")
+{
+  const Mesh mesh = test::to_mesh<Mesh>(test::torus(16, 8));
+  Signature straight;
+  REQUIRE(ts::holonomy_signature_of_cones(mesh, std::vector<std::pair<Mesh::Vertex_index, int>>(), straight).success());
+  for (std::size_t l = 0; l < 2; ++l)
+    straight.set_loop_quarter_turns(l, 0);
+  for (const auto& [first, second] : std::vector<std::pair<int, int>>{{0, 0}, {0, 2}, {-3, 0}, {1, 5}, {-2, -2}}) {
+    Signature signature = straight;
+    signature.set_loop_quarter_turns(0, first);
+    signature.set_loop_quarter_turns(1, second);
+    const auto report = ts::reduce_cones(mesh, signature);
+    CHECK(report.number_of_loop_turns == std::abs(first) + std::abs(second));
+    CHECK(are_equal(mesh, straight, signature));
+    CHECK(report.energy == Approx(energy_by_definition(mesh, straight)).margin(1e-9));
+  }
+}
+
+TEST_CASE("splits and loop turns lower the energy of the definition, as reported")
+{
+  const Mesh mesh = test::to_mesh<Mesh>(test::torus(12, 12)); // cones are points, see above
+  const auto vertex = [](const unsigned int i) { return Mesh::Vertex_index(i); };
+  for (const unsigned int shift : {0u, 5u, 17u}) {
+    Signature signature;
+    REQUIRE(ts::holonomy_signature_of_cones(
+                mesh,
+                std::vector<std::pair<Mesh::Vertex_index, int>>{
+                    {vertex(shift), 1}, {vertex(shift + 30), 8}, {vertex(shift + 66), 2}, {vertex(shift + 90), 5}},
+                signature)
+                .success());
+    const double before = energy_by_definition(mesh, signature);
+    const auto report = ts::reduce_cones(mesh, signature, ts::parameters::maximum_energy_change(-1000.));
+    const double after = energy_by_definition(mesh, signature);
+    CHECK(report.number_of_merges == 0);
+    CHECK(report.number_of_splits >= 3);
+    CHECK(ts::check_holonomy_signature(mesh, signature).success());
+    for (const auto& cone : signature.cones())
+      CHECK((cone.second >= 3 && cone.second <= 6));
+    CHECK(after < before);
+    CHECK(report.energy - report.energy_before == Approx(after - before).margin(1e-8));
   }
 }
 

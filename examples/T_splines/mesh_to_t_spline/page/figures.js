@@ -186,9 +186,10 @@ function conesSection(signature) {
   const cut = element("p", { class: "note" }, element("span", { class: "stroke" }),
     "the cut: directions continue across it, the positions of the cells need not");
   const { cone_reduction: reduction } = signature;
-  const merged = reduction && reduction.merges > 0
-    ? ` Its ${countText(reduction.cones_before)} cones were reduced to ${countText(reduction.cones)}.` : "";
-  return section("Cones", coneLegend(signature.cones), note(`Signature: ${signature.source}.${merged}`), cut);
+  const change = reduction && reduction.cones < reduction.cones_before ? "reduced" : "split";
+  const changed = reduction && reduction.merges + reduction.splits > 0
+    ? ` Its ${countText(reduction.cones_before)} cones were ${change} to ${countText(reduction.cones)}.` : "";
+  return section("Cones", coneLegend(signature.cones), note(`Signature: ${signature.source}.${changed}`), cut);
 }
 
 function convergenceSection(map) {

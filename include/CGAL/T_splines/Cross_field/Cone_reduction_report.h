@@ -44,6 +44,8 @@ struct Cone_reduction_report {
 
   int number_of_cones_before = 0;
   int number_of_cones = 0;          ///< afterwards
+  int number_of_loop_turns = 0;     ///< quarter turns by which numbers of loops were changed, without merges
+  int number_of_splits = 0;         ///< quarter turns that cones gave away or got, without merges
   int number_of_merges = 0;         ///< each made one or two cones regular
   double energy_before = 0;         ///< the energy that `reduce_cones()` explains; dimensionless
   double energy = 0;                ///< afterwards

@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/Cross_field/internal/Cone_paths.h>
 #include <CGAL/T_splines/Cross_field/internal/Cone_reduction.h>
 #include <CGAL/T_splines/Cross_field/internal/Scale_energy.h>
+#include <CGAL/T_splines/Cross_field/internal/split_targets.h>
 #include <CGAL/T_splines/Progress_visitor.h>
 #include <CGAL/T_splines/Solver/default_solver.h>
 #include <CGAL/T_splines/named_parameters.h>
@@ -31,9 +32,9 @@ template <typename NamedParameters>
 Cone_reduction_limits cone_reduction_limits(const NamedParameters& np)
 {
   using CGAL::parameters::get_parameter;
-  // Each cone costs about a hundred control points of a surface within 0.5 %. On eleven meshes 6 led to 30 % fewer
-  // control points than 1, and on none of them to more.
-  constexpr double default_energy_change = 6;
+  // Each cone costs about fifty control points of a surface within 0.5 %. On eleven meshes 6 led to 30 % fewer control
+  // points than 1; but beyond 3, some merges on thin parts sheared the map.
+  constexpr double default_energy_change = 3;
   Cone_reduction_limits limits;
   const auto number_of_cones = get_parameter(np, np_tags::maximum_number_of_cones);
   const auto energy_change = get_parameter(np, np_tags::maximum_energy_change);
@@ -61,6 +62,23 @@ std::vector<std::vector<int>> strips_of(const Mesh_indexing<TriangleMesh>& index
   return strips;
 }
 
+/// Where quarter turns of cones may go that have fewer than 3 or more than 6.
+template <typename TriangleMesh>
+std::vector<int> split_targets(const Closed_mesh<TriangleMesh>& mesh, const Holonomy_signature<TriangleMesh>& signature)
+{
+  std::vector<int> cones;
+  for (const auto& [v, k] : signature.cones())
+    if (k < fewest_quarter_turns || k > most_quarter_turns)
+      cones.push_back(mesh.m_indexing.vertex_index(v));
+  if (cones.empty())
+    return {};
+  std::sort(cones.begin(), cones.end());
+  // Each of them costs a solve.
+  const std::size_t most = std::clamp<std::size_t>(20'000'000 / mesh.m_connectivity.number_of_vertices(), 16, 400);
+  return split_targets(mesh.m_connectivity, mesh.m_geometry, mesh.m_components, cones,
+                       disk_radii(mesh.m_geometry, mesh.m_components), most);
+}
+
 /// reduces with computed energies and writes the signature and the report.
 template <typename TriangleMesh, typename ScaleEnergy>
 void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& energy, const std::vector<int>& vertices,
@@ -78,11 +96,16 @@ void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& ener
   Cone_reduction<ScaleEnergy, Cone_paths> reduction(energy, paths, numbers);
   report.number_of_cones_before = reduction.number_of_cones();
   report.energy_before = reduction.energy();
-  reduction.reduce(limits);
+  report.number_of_loop_turns = reduction.straighten_loops();
+  report.number_of_splits = reduction.split();
+  for (int turns = 1; turns > 0; report.number_of_loop_turns += turns) {
+    reduction.reduce(limits);
+    turns = reduction.straighten_loops();
+  }
   report.number_of_cones = reduction.number_of_cones();
-  report.number_of_merges = static_cast<int>(reduction.moves().size());
+  report.number_of_merges = static_cast<int>(reduction.merges().size());
   report.energy = reduction.energy();
-  for (const Cone_move& move : reduction.moves())
+  for (const Cone_move& move : reduction.merges())
     report.largest_energy_change = (std::max)(report.largest_energy_change, move.energy_change);
   if (report.number_of_cones > limits.number_of_cones)
     report.status = Cone_reduction_status::LIMIT_UNREACHABLE;
@@ -109,6 +132,10 @@ void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& ener
 /// Schroeder, Trivial connections on discrete surfaces, 2010). All its changes come from Green's functions of the cones
 /// and 2g harmonic forms, which are computed once.
 ///
+/// Before, what a field on a coarse mesh has got wrong is put right where that lowers the energy: numbers of loops change
+/// by quarter turns, and cones of fewer than three or more than six quarter turns get some from other vertices, or give
+/// some away. A box of twelve triangles has its cones at its corners, then. Loops are tried again after merges.
+///
 /// Merges leave numbers of three to six quarter turns. Only if the demanded number of cones cannot be reached so,
 /// others from two upwards are made, and if need be from one upwards.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -116,7 +143,7 @@ void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& ener
 /// \param signature an admissible signature of `mesh`; it is changed if the status is REDUCED or LIMIT_UNREACHABLE
 /// \param np named parameters:
 ///        - `vertex_point_map`; `geom_traits`
-///        - `maximum_energy_change` (double, default 6): merges go on as long as the next one raises the energy by at
+///        - `maximum_energy_change` (double, default 3): merges go on as long as the next one raises the energy by at
 ///          most this much. It depends neither on the size nor, much, on the resolution of the mesh. With 0 only those
 ///          cones are merged that do more harm than good. The default is minus infinity if `maximum_number_of_cones` is
 ///          given.
@@ -126,7 +153,7 @@ void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& ener
 ///        - `sparse_linear_solver`: a model of `SparseSpdSolverTraits` with `FT = double`
 ///        - `visitor`: see `Progress_visitor`
 /// \return what was done. Equal input gives equal results.
-/// Complexity: with m cones, a sparse factorization of one row per vertex and m + 2g + 1 solves, O(m^2) numbers of
+/// Complexity: with m cones, and if some are to be split up to 400 vertices more, a sparse factorization of one row per vertex and m + 2g + 1 solves, O(m^2) numbers of
 /// memory, O(m^2) per merge, and if g > 0 at most two searches of shortest paths per cone. Where m^2 g exceeds some
 /// millions only the nearest cones are merged with each other, from at least eight per cone to all when few are left.
 template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -148,7 +175,10 @@ Cone_reduction_report<TriangleMesh> reduce_cones(const TriangleMesh& mesh, Holon
   std::vector<int> vertices;
   for (const auto& cone : signature.cones())
     vertices.push_back(closed_mesh.m_indexing.vertex_index(cone.first));
+  for (const int v : internal::split_targets(closed_mesh, signature))
+    vertices.push_back(v);
   std::sort(vertices.begin(), vertices.end()); // the order in which cones were set must not matter
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   const std::vector<std::vector<int>> strips = internal::strips_of(closed_mesh.m_indexing, signature);
   auto&& solver = internal::sparse_linear_solver(np);
   internal::Scale_energy<std::remove_reference_t<decltype(solver)>> energy(

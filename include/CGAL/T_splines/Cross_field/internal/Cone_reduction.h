@@ -21,6 +21,9 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
+/// Cones of these numbers of quarter turns are usual: others are not made unless there is no other way.
+constexpr int fewest_quarter_turns = 3, most_quarter_turns = 6;
+
 /// When merging cones ends.
 struct Cone_reduction_limits {
   int number_of_cones = (std::numeric_limits<int>::max)(); ///< as long as there are more, they are merged at any price
@@ -75,7 +78,8 @@ public:
       for (int j = 0; j < n; ++j)
         m_potential[i] += curvature(j) * energy.interaction(i, j);
       m_total += 0.5 * curvature(i) * (m_potential[i] - energy.defect_potential(i));
-      m_cones.push_back(i);
+      if (signature.quarter_turns[i] != regular)
+        m_cones.push_back(i);
     }
     m_partners.resize(n);
     for (int l = 0; l < energy.number_of_loops(); ++l) {
@@ -87,16 +91,69 @@ public:
     m_total += loop_energy();
   }
 
+  /// changes the numbers of loops by quarter turns, as long as each lowers the energy.
+  /// \return how many. Complexity: with l loops, O(l^3), and O(l^2) per quarter turn.
+  int straighten_loops()
+  {
+    const std::size_t n = m_period.size();
+    std::vector<std::vector<double>> columns(n, std::vector<double>(n, 0.)); // what a quarter turn adds to y
+    for (std::size_t l = 0; l < n; ++l) {
+      columns[l][l] = quarter_turn;
+      m_energy.to_orthonormal(columns[l]);
+    }
+    for (int number = 0;; ++number) {
+      std::size_t best = 0;
+      int turns = 0;
+      double least = -least_gain;
+      for (std::size_t l = 0; l < n; ++l) {
+        const double product = scalar_product(m_period, columns[l]);
+        const double change = 0.5 * scalar_product(columns[l], columns[l]) - std::abs(product);
+        if (change < least) {
+          best = l;
+          turns = product > 0 ? -1 : 1;
+          least = change;
+        }
+      }
+      if (turns == 0)
+        return number;
+      for (std::size_t i = 0; i < n; ++i)
+        m_period[i] += turns * columns[best][i];
+      m_signature.loop_quarter_turns[best] += turns;
+      m_total += least;
+    }
+  }
+
+  /// moves quarter turns between cones out of the usual range and any other vertices, as long as each lowers the
+  /// energy.
+  /// \return how many. Complexity: O(n m) for each of m such cones, and what the paths cost.
+  int split()
+  {
+    int number = 0;
+    for (;; ++number) {
+      const Cone_move move = cheapest_split();
+      if (move.is_null() || move.energy_change > (m_signature.quarter_turns[move.from] == 1 ? 0 : -least_gain))
+        break;
+      apply(move);
+    }
+    return number;
+  }
+
   /// merges cones until the limits allow no more. Complexity: O(n^2) per merge, and what the paths cost.
   void reduce(const Cone_reduction_limits& limits)
   {
+    for (int i = 0; i < static_cast<int>(m_potential.size()); ++i)
+      forget_if_regular(i);
     find_partners(number_of_partners());
     for (;;) {
       const bool is_demanded = number_of_cones() > limits.number_of_cones;
       const Cone_move move = is_demanded ? demanded_move() : cheapest_merge(usual_range);
       const bool is_acceptable = !move.is_null() && (is_demanded || move.energy_change <= limits.energy_change);
-      if (is_acceptable)
+      if (is_acceptable) {
         apply(move);
+        m_merges.push_back(move);
+        forget_if_regular(move.from);
+        forget_if_regular(move.to);
+      }
       const int more_partners = is_demanded && !is_acceptable ? 2 * m_number_of_partners : number_of_partners();
       if (!m_pairs_are_all && more_partners >= (is_acceptable ? 2 : 1) * m_number_of_partners + (is_acceptable ? 0 : 1))
         find_partners(more_partners);
@@ -108,11 +165,12 @@ public:
   double energy() const { return m_total; }
   int number_of_cones() const { return static_cast<int>(m_cones.size()); }
   const Cones_and_loops& signature() const { return m_signature; }
-  const std::vector<Cone_move>& moves() const { return m_moves; } ///< what was done, in this order
+  const std::vector<Cone_move>& merges() const { return m_merges; } ///< in this order
 
 private:
   using Range = std::pair<int, int>;
-  static constexpr Range usual_range{3, 6};
+  static constexpr double least_gain = 0.05; // of energy, for which quarter turns are moved
+  static constexpr Range usual_range{fewest_quarter_turns, most_quarter_turns};
 
   // How many partners per cone there is memory for.
   int number_of_partners() const
@@ -145,6 +203,12 @@ private:
       std::sort(partners.begin(), partners.end());
       partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
     }
+  }
+
+  void forget_if_regular(const int i)
+  {
+    if (m_signature.quarter_turns[i] == regular)
+      m_paths.forget(i);
   }
 
   double curvature(const int i) const { return (regular - m_signature.quarter_turns[i]) * quarter_turn; }
@@ -227,17 +291,49 @@ private:
   {
     m_candidates.clear();
     const double length = std::sqrt(2 * loop_energy());
+    for (const int a : m_cones)
+      for (const int b : m_pairs_are_all ? m_cones : m_partners[a])
+        if (m_signature.quarter_turns[b] != regular)
+          add_candidate(a, b, turns, length);
+    return cheapest_candidate();
+  }
+
+  // Of those that bring the number of a cone nearer to the usual range, and no other one out of it.
+  Cone_move cheapest_split()
+  {
+    const auto is_usual = [](const int k) { return usual_range.first <= k && k <= usual_range.second; };
+    m_candidates.clear();
+    const double length = std::sqrt(2 * loop_energy());
     for (const int a : m_cones) {
-      for (const int b : m_pairs_are_all ? m_cones : m_partners[a]) {
-        if (a == b || m_signature.component[a] != m_signature.component[b] || m_signature.quarter_turns[b] == regular)
-          continue;
-        Cone_move move{a, b, turns(m_signature.quarter_turns[a], m_signature.quarter_turns[b]), 0.};
-        if (move.quarter_turns == 0)
-          continue;
-        move.energy_change = cone_energy_change(move) + least_loop_energy_change(move, length);
-        m_candidates.push_back(move);
-      }
+      if (is_usual(m_signature.quarter_turns[a]))
+        continue;
+      for (int b = 0; b < static_cast<int>(m_potential.size()); ++b)
+        add_candidate(
+            a, b,
+            [is_usual](const int k_a, const int k_b) {
+              const int turns = k_a < usual_range.first ? -1 : 1;
+              return is_usual(k_b + turns) || (k_a == 1 && k_b == 3) ? turns : 0;
+            },
+            length);
     }
+    return cheapest_candidate();
+  }
+
+  // \param length |y|
+  template <typename Turns>
+  void add_candidate(const int a, const int b, const Turns& turns, const double length)
+  {
+    if (a == b || m_signature.component[a] != m_signature.component[b])
+      return;
+    Cone_move move{a, b, turns(m_signature.quarter_turns[a], m_signature.quarter_turns[b]), 0.};
+    if (move.quarter_turns == 0)
+      return;
+    move.energy_change = cone_energy_change(move) + least_loop_energy_change(move, length);
+    m_candidates.push_back(move);
+  }
+
+  Cone_move cheapest_candidate()
+  {
     std::make_heap(m_candidates.begin(), m_candidates.end(), is_later);
     Cone_move cheapest;
     while (!m_candidates.empty() &&
@@ -291,14 +387,11 @@ private:
     m_signature.quarter_turns[move.to] += move.quarter_turns;
     CGAL_assertion(m_signature.quarter_turns[move.to] >= 1);
     m_total += move.energy_change;
-    m_moves.push_back(move);
-    for (const int i : {move.from, move.to})
-      if (m_signature.quarter_turns[i] == regular)
-        m_paths.forget(i);
-    m_cones.erase(std::remove_if(m_cones.begin(), m_cones.end(),
-                                 [this](const int i) { return m_signature.quarter_turns[i] == regular; }),
-                  m_cones.end());
-    for (const int i : m_cones)
+    m_cones.clear();
+    for (int i = 0; i < static_cast<int>(m_potential.size()); ++i)
+      if (m_signature.quarter_turns[i] != regular)
+        m_cones.push_back(i);
+    for (int i = 0; i < static_cast<int>(m_potential.size()); ++i)
       m_potential[i] += t * (m_energy.interaction(i, move.from) - m_energy.interaction(i, move.to));
   }
 
@@ -313,7 +406,7 @@ private:
   bool m_pairs_are_all = true;
   std::vector<int> m_cones; // those that are not regular, by increasing index
   std::vector<Cone_move> m_candidates;
-  std::vector<Cone_move> m_moves;
+  std::vector<Cone_move> m_merges;
   double m_total = 0;
 };
 

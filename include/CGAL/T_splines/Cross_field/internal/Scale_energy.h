@@ -32,6 +32,19 @@ inline std::vector<double> angle_defects(const Triangulation_connectivity& mesh,
   return defect;
 }
 
+/// For each component, the radius of the disks over which `Scale_energy` spreads cones: a thirtieth of the square root of
+/// its area.
+inline std::vector<double> disk_radii(const Triangle_geometry& geometry, const Mesh_components& components)
+{
+  constexpr double relative_radius = 1. / 30;
+  std::vector<double> radii(components.size(), 0.);
+  for (std::size_t f = 0; f < geometry.m_area.size(); ++f)
+    radii[components.of_face[f]] += geometry.m_area[f];
+  for (double& radius : radii)
+    radius = relative_radius * std::sqrt(radius);
+  return radii;
+}
+
 /// computes the lower triangle C of W = C C^T in place. \return `false` if W is not positive definite.
 inline bool cholesky(std::vector<std::vector<double>>& w)
 {
@@ -60,8 +73,7 @@ inline bool cholesky(std::vector<std::vector<double>>& w)
 /// Angles are all that it depends on, not the size of the surface.
 ///
 /// The energy of a point cone would be infinite on a smooth surface, and depend on the lengths of its edges on a mesh.
-/// Each cone is therefore spread over a disk whose radius is `relative_radius` times the square root of its component's
-/// area, with weights that fall to zero at the rim. Two meshes of a surface have almost the same energies, then, as
+/// Each cone is therefore spread over a disk with the radius of `disk_radii()`, with weights that fall to zero at the rim. Two meshes of a surface have almost the same energies, then, as
 /// soon as their edges are shorter than that; the energy is positive whether disks overlap or not. In z they are
 /// points.
 template <typename SolverTraits>
@@ -69,8 +81,6 @@ class Scale_energy {
   static constexpr int null = Triangulation_connectivity::null;
 
 public:
-  static constexpr double relative_radius = 1. / 30;
-
   /// \param strips 2g independent loops for each component
   Scale_energy(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry,
                const Mesh_components& components, const std::vector<std::vector<int>>& strips, SolverTraits& solver)
@@ -81,15 +91,11 @@ public:
       m_solver(solver),
       m_distances(mesh, geometry.m_edge_length),
       m_mass(mesh.number_of_vertices(), 0.),
-      m_radius(components.size(), 0.),
+      m_radius(disk_radii(geometry, components)),
       m_defect(angle_defects(mesh, geometry)),
       m_laplacian(mesh, geometry, components, strips),
       m_right_hand_side(m_laplacian.matrix().size())
   {
-    for (int f = 0; f < mesh.number_of_faces(); ++f)
-      m_radius[components.of_face[f]] += geometry.m_area[f];
-    for (double& radius : m_radius)
-      radius = relative_radius * std::sqrt(radius);
     for (int h = 0; h < mesh.number_of_halfedges(); ++h)
       m_mass[mesh.target(h)] += geometry.m_area[mesh.face(h)] / 3;
   }
