@@ -116,10 +116,11 @@ private:
   std::unique_ptr<const Triangle_tree> m_tree; // of the triangles of the mesh that intersect; null if there are none
 };
 
-/// What `check_T_spline_self_intersections()` does.
-template <typename Surface, typename OutputIterator>
+/// What `check_T_spline_self_intersections()` does, the number of intersections of the mesh apart.
+/// \param of_mesh returns the `Mesh_intersections`; it is only called where the surface passes through itself
+template <typename Surface, typename OfMesh, typename OutputIterator>
 T_spline_self_intersection_report find_new_self_intersections(const Surface& surface, const int resolution,
-                                                              const Mesh_intersections& of_mesh, const double tolerance,
+                                                              const OfMesh& of_mesh, const double tolerance,
                                                               OutputIterator faces)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -132,12 +133,11 @@ T_spline_self_intersection_report find_new_self_intersections(const Surface& sur
   T_spline_self_intersection_report report;
   report.number_of_triangles = tessellation.number_of_faces();
   report.number_of_intersections = pairs.size();
-  report.number_of_mesh_intersections = of_mesh.number_of_pairs();
   std::vector<int> found;
   for (const auto& pair : pairs) {
     const auto a = corners_of(pair.first, tessellation, tessellation.points()),
                b = corners_of(pair.second, tessellation, tessellation.points());
-    if (of_mesh.is_near(a, tolerance) && of_mesh.is_near(b, tolerance))
+    if (of_mesh().is_near(a, tolerance) && of_mesh().is_near(b, tolerance))
       continue;
     if (report.number_of_new_intersections++ == 0)
       report.place = CGAL::centroid(a[0], a[1], a[2]);
@@ -179,8 +179,11 @@ check_T_spline_self_intersections(const Surface& surface, const TriangleMesh& me
                                           get_const_property_map(CGAL::vertex_point, mesh));
   const int resolution = choose_parameter(get_parameter(np, np_tags::tessellation_resolution), 8);
   const double tolerance = choose_parameter(get_parameter(np, np_tags::tolerance), 0.);
-  return internal::find_new_self_intersections(surface, resolution, internal::Mesh_intersections(mesh, point_map),
-                                               tolerance, faces);
+  const internal::Mesh_intersections of_mesh(mesh, point_map);
+  auto report = internal::find_new_self_intersections(
+      surface, resolution, [&]() -> const internal::Mesh_intersections& { return of_mesh; }, tolerance, faces);
+  report.number_of_mesh_intersections = of_mesh.number_of_pairs();
+  return report;
 }
 
 } // namespace T_splines

@@ -12,14 +12,19 @@
 #include <CGAL/T_splines/T_mesh/Carried_surface.h>
 #include <CGAL/T_splines/named_parameters.h>
 
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -39,20 +44,42 @@ struct Adaptive_fit_visitor : Progress_visitor {
 
 namespace internal {
 
-/// The same surface, on the copy of a T-mesh whose elements have the same order.
+/// The same surface, on the copy of a T-mesh whose elements have the same order. Points and triangles that are near to
+/// each other in space are so in memory: most of the time of a fit is spent with going from triangle to triangle.
 template <typename TMesh, typename ToTMesh>
 Carried_surface<ToTMesh> copied_surface(const Mesh_indexing<TMesh>& indexing, const Carried_surface<TMesh>& surface,
                                         const ToTMesh& to)
 {
+  const auto& points = surface.points();
+  std::vector<std::size_t> order(points.size()), place(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto point_map = CGAL::make_property_map(points);
+  CGAL::spatial_sort(
+      order.begin(), order.end(),
+      CGAL::Spatial_sort_traits_adapter_3<CGAL::Simple_cartesian<double>, decltype(point_map)>(point_map));
   Carried_surface<ToTMesh> result;
-  for (const auto& p : surface.points())
-    result.add_point(p);
-  for (const auto& triangle : surface.triangles())
-    result.add_triangle(triangle);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    place[order[i]] = i;
+    result.add_point(points[order[i]]);
+  }
+
+  const auto& triangles = surface.triangles();
+  std::vector<std::size_t> triangle_order(triangles.size()), triangle_place(triangles.size());
+  std::iota(triangle_order.begin(), triangle_order.end(), 0);
+  const auto first_place = [&](const std::size_t t) {
+    return (std::min)({place[triangles[t][0]], place[triangles[t][1]], place[triangles[t][2]]});
+  };
+  std::stable_sort(triangle_order.begin(), triangle_order.end(),
+                   [&](const std::size_t s, const std::size_t t) { return first_place(s) < first_place(t); });
+  for (std::size_t i = 0; i < triangle_order.size(); ++i) {
+    triangle_place[triangle_order[i]] = i;
+    const auto& t = triangles[triangle_order[i]];
+    result.add_triangle({place[t[0]], place[t[1]], place[t[2]]});
+  }
   int i = 0;
   for (const auto f : CGAL::make_range(faces(to)))
     for (const auto& image : surface.images(indexing.face(i++)))
-      result.add_image(f, {image.triangle, image.corners});
+      result.add_image(f, {triangle_place[image.triangle], image.corners});
   return result;
 }
 

@@ -295,10 +295,13 @@ private:
   void find_self_intersections(std::vector<Face_fit>& faces)
   {
     constexpr int resolution = 8;
-    if (!m_mesh_intersections)
-      m_mesh_intersections.emplace(m_mesh, m_mesh.points());
+    const auto of_mesh = [&]() -> const Mesh_intersections& {
+      if (!m_mesh_intersections)
+        m_mesh_intersections.emplace(m_mesh, m_mesh.points());
+      return *m_mesh_intersections;
+    };
     std::vector<Face> found;
-    find_new_self_intersections(m_last->compiled(), resolution, *m_mesh_intersections, m_options.tolerance,
+    find_new_self_intersections(m_last->compiled(), resolution, of_mesh, m_options.tolerance,
                                 std::back_inserter(found));
     for (const Face f : found)
       faces[f].fold = Fold_state::FOLDED;

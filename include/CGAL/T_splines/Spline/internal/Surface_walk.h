@@ -32,7 +32,10 @@ public:
     std::size_t triangle;
     Point_3 point;
     double squared_distance; ///< from the point that was asked for
-    bool is_inside;          ///< of the triangle: not on its boundary
+    int edge;                ///< on which edge of the triangle, from corner `edge` to the next; -1 if inside
+    bool is_at_corner;       ///< at an end of the edge
+
+    bool is_inside() const { return edge < 0; }
   };
 
   /// \param points, triangles must outlive this
@@ -49,12 +52,16 @@ public:
     m_star.resize(3 * triangles.size());
     std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      for (const std::size_t p : triangles[i])
+      const Triangle& t = triangles[i];
+      for (const std::size_t p : t)
         m_star[next[p]++] = i;
+      m_corners.push_back({points[t[0]], points[t[1]], points[t[2]]});
       const Vector_3 n = normal(i);
       const double length = std::sqrt(n.squared_length());
       m_unit_normals.push_back(length > 0 ? n / length : Vector_3(0, 0, 0));
     }
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      m_across.push_back({find_across(i, 0), find_across(i, 1), find_across(i, 2)});
   }
 
   /// Calls `f(triangle)` for all triangles that have a corner in common with a triangle, possibly more than once.
@@ -69,32 +76,21 @@ public:
   const Vector_3& unit_normal(const std::size_t triangle) const { return m_unit_normals[triangle]; }
 
   /// The triangle on the other side of the edge from corner i to corner i + 1 of a triangle; the same if there is none.
-  std::size_t across(const std::size_t triangle, const std::size_t i) const
-  {
-    const std::size_t a = m_triangles[triangle][i], b = m_triangles[triangle][(i + 1) % 3];
-    for (std::size_t k = m_first[a]; k < m_first[a + 1]; ++k) {
-      const Triangle& t = m_triangles[m_star[k]];
-      for (std::size_t j = 0; j < 3; ++j)
-        if (t[j] == b && t[(j + 1) % 3] == a)
-          return m_star[k];
-    }
-    return triangle;
-  }
+  std::size_t across(const std::size_t triangle, const std::size_t i) const { return m_across[triangle][i]; }
 
   /// The point closest to `q`, as far as one gets from triangle to neighbouring triangle always coming closer.
   Foot closest(const Point_3& q, const std::size_t start) const
   {
+    constexpr double closer = 1 - 1e-12;
     Foot foot = closest_of(q, start);
-    while (!foot.is_inside) {
+    while (!foot.is_inside()) {
       const Foot before = foot;
-      for_each_neighbor(before.triangle, [&](const std::size_t t) {
-        if (t == before.triangle)
-          return;
-        const Foot other = closest_of(q, t);
-        if (other.squared_distance < foot.squared_distance)
-          foot = other;
-      });
-      if (!(foot.squared_distance < before.squared_distance * (1 - 1e-12)))
+      // Mostly the way goes across the edge. Only at its end the whole neighbourhood is looked at.
+      if (!foot.is_at_corner)
+        take_if_closer(q, m_across[foot.triangle][foot.edge], foot);
+      if (!(foot.squared_distance < before.squared_distance * closer))
+        for_each_neighbor(before.triangle, [&](const std::size_t t) { take_if_closer(q, t, foot); });
+      if (!(foot.squared_distance < before.squared_distance * closer))
         break;
     }
     return foot;
@@ -105,7 +101,7 @@ public:
   {
     if (n * m_unit_normals[foot.triangle] > 0)
       return false;
-    if (foot.is_inside)
+    if (foot.is_inside())
       return true;
     bool result = true;
     for_each_neighbor(foot.triangle, [&](const std::size_t t) {
@@ -140,32 +136,61 @@ private:
     return CGAL::cross_product(m_points[m_triangles[t][1]] - p, m_points[m_triangles[t][2]] - p);
   }
 
+  std::size_t find_across(const std::size_t triangle, const std::size_t i) const
+  {
+    const std::size_t a = m_triangles[triangle][i], b = m_triangles[triangle][(i + 1) % 3];
+    for (std::size_t k = m_first[a]; k < m_first[a + 1]; ++k) {
+      const Triangle& t = m_triangles[m_star[k]];
+      for (std::size_t j = 0; j < 3; ++j)
+        if (t[j] == b && t[(j + 1) % 3] == a)
+          return m_star[k];
+    }
+    return triangle;
+  }
+
+  void take_if_closer(const Point_3& q, const std::size_t t, Foot& foot) const
+  {
+    if (t == foot.triangle)
+      return;
+    const Foot other = closest_of(q, t);
+    if (other.squared_distance < foot.squared_distance)
+      foot = other;
+  }
+
   Foot closest_of(const Point_3& q, const std::size_t t) const
   {
-    const Point_3 &a = m_points[m_triangles[t][0]], &b = m_points[m_triangles[t][1]], &c = m_points[m_triangles[t][2]];
+    const std::array<Point_3, 3>& corners = m_corners[t];
+    const Point_3 &a = corners[0], &b = corners[1], &c = corners[2];
     const Vector_3 ab = b - a, ac = c - a, n = CGAL::cross_product(ab, ac), aq = q - a;
     const double nn = n.squared_length();
-    Foot foot{t, a, CGAL::squared_distance(q, a), false};
+    Foot foot{t, a, CGAL::squared_distance(q, a), 0, true};
     const double x = CGAL::cross_product(aq, ac) * n, y = CGAL::cross_product(ab, aq) * n;
     if (nn > 0 && x > 0 && y > 0 && x + y < nn) {
       foot.point = a + (x / nn) * ab + (y / nn) * ac;
       foot.squared_distance = CGAL::squared_distance(q, foot.point);
-      foot.is_inside = true;
+      foot.edge = -1;
       const double longest = (std::max)(ab.squared_length(), ac.squared_length());
       if (nn > 1e-10 * longest * longest)
         return foot;
     }
     // Of a thin triangle, the boundary may be closer than what round-off made of the inside.
-    for (const Point_3& p : {closest_of_segment(q, a, b), closest_of_segment(q, b, c), closest_of_segment(q, c, a)}) {
-      const double d = CGAL::squared_distance(q, p);
+    for (int i = 0; i < 3; ++i) {
+      const Point_3 &p = corners[i], &r = corners[(i + 1) % 3];
+      const Vector_3 pr = r - p;
+      const double product = (q - p) * pr, length = pr.squared_length();
+      const bool is_between = product > 0 && product < length;
+      const Point_3 s = is_between ? p + (product / length) * pr : product > 0 ? r : p;
+      const double d = CGAL::squared_distance(q, s);
       if (d < foot.squared_distance)
-        foot = {t, p, d, false};
+        foot = {t, s, d, i, !is_between};
     }
     return foot;
   }
 
   const std::vector<Point_3>& m_points;
   const std::vector<Triangle>& m_triangles;
+  std::vector<std::array<Point_3, 3>> m_corners;
+  std::vector<std::array<std::size_t, 3>> m_across;
   std::vector<std::size_t> m_first, m_star; // the triangles around each point
   std::vector<Vector_3> m_unit_normals;
 };
