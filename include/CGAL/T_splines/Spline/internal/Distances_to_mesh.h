@@ -205,7 +205,8 @@ private:
       if (!(h[3] > 0))
         return cell.bound;
       const Point_3 p(h[0] / h[3], h[1] / h[3], h[2] / h[3]);
-      largest = (std::max)(largest, CGAL::squared_distance(p, closest_of_triangle(p, m_mesh.triangle(cell.triangle))));
+      largest =
+          (std::max)(largest, CGAL::squared_distance(p, closest_of_triangle(p, m_mesh.triangle(cell.triangle)).point));
     }
     return std::sqrt(largest);
   }

@@ -214,7 +214,7 @@ private:
       bool is_higher = false;
       for (int i = 0; i < 6 && !is_higher; ++i, --number_of_trials) {
         const double angle = CGAL_PI / 3 * i;
-        const Point_3 q = closest_of_triangle(sample.point + step * (std::cos(angle) * x + std::sin(angle) * y), t);
+        const Point_3 q = closest_of_triangle(sample.point + step * (std::cos(angle) * x + std::sin(angle) * y), t).point;
         const Foot foot = measured(q, sample.foot, sample.triangle, visit);
         is_higher = foot.distance > sample.foot.distance;
         if (is_higher) {

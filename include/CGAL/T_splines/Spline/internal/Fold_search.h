@@ -103,7 +103,7 @@ private:
     const double reach = (std::max)(m_tolerance, as_near * sample.foot.distance());
     return !m_mesh.is_true_near(sample.point, reach, [&](const std::size_t i) {
       return !(unit * m_normals.normal(i) > 0) ||
-             CGAL::squared_distance(sample.point, closest_of_triangle(sample.point, m_mesh.triangle(i))) >
+             CGAL::squared_distance(sample.point, closest_of_triangle(sample.point, m_mesh.triangle(i)).point) >
                  reach * reach;
     });
   }
@@ -151,7 +151,7 @@ private:
       const Vector_3& normal = m_normals.normal(i);
       if (normal == CGAL::NULL_VECTOR || normal * cone.axis > sine)
         return true;
-      const Point_3 q = closest_of_triangle(middle, m_mesh.triangle(i));
+      const Point_3 q = closest_of_triangle(middle, m_mesh.triangle(i)).point;
       return CGAL::squared_distance(middle, q) > reach * reach;
     });
   }

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_MESH_NORMALS_H
 
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
+#include <CGAL/T_splines/Spline/internal/Triangle_stars.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ class Mesh_normals {
 public:
   using Vector_3 = Triangle_set::Kernel::Vector_3;
 
-  explicit Mesh_normals(const Triangle_set& set) : m_set(set), m_first(set.points.size() + 1, 0)
+  explicit Mesh_normals(const Triangle_set& set) : m_set(set), m_stars(set.points.size(), set.triangles)
   {
     m_normals.reserve(set.triangles.size());
     for (std::size_t i = 0; i < set.triangles.size(); ++i) {
@@ -30,16 +31,7 @@ public:
       const Vector_3 normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
       const double length = std::sqrt(normal.squared_length());
       m_normals.push_back(length > 0 ? Vector_3(normal / length) : Vector_3(0, 0, 0));
-      for (const std::size_t p : set.triangles[i])
-        ++m_first[p + 1];
     }
-    for (std::size_t p = 0; p < set.points.size(); ++p)
-      m_first[p + 1] += m_first[p];
-    m_around.resize(3 * set.triangles.size());
-    std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
-    for (std::size_t i = 0; i < set.triangles.size(); ++i)
-      for (const std::size_t p : set.triangles[i])
-        m_around[next[p]++] = i;
   }
 
   /// The unit normal of a triangle; 0 if it has no area.
@@ -67,9 +59,10 @@ public:
     for (int i = 0; i < 3; ++i) {
       const std::size_t a = corners[i], b = corners[(i + 1) % 3];
       if (is_at(t[i]))
-        for_each_around(a, [&](const std::size_t k) { result = (std::max)(result, cosine_with(unit, k, nothing)); });
+        m_stars.for_each_around(
+            a, [&](const std::size_t k) { result = (std::max)(result, cosine_with(unit, k, nothing)); });
       else if (is_at(closest_of_segment(foot.point, t[i], t[i + 1])))
-        for_each_around(a, [&](const std::size_t k) {
+        m_stars.for_each_around(a, [&](const std::size_t k) {
           const std::array<std::size_t, 3>& other = m_set.triangles[k];
           if (std::find(other.begin(), other.end(), b) != other.end())
             result = (std::max)(result, cosine_with(unit, k, nothing));
@@ -79,13 +72,6 @@ public:
   }
 
 private:
-  template <typename Visit>
-  void for_each_around(const std::size_t point, const Visit& visit) const
-  {
-    for (std::size_t i = m_first[point]; i < m_first[point + 1]; ++i)
-      visit(m_around[i]);
-  }
-
   double cosine_with(const Vector_3& unit, const std::size_t triangle, const double without_area) const
   {
     const Vector_3& normal = m_normals[triangle];
@@ -94,7 +80,7 @@ private:
 
   const Triangle_set& m_set;
   std::vector<Vector_3> m_normals;
-  std::vector<std::size_t> m_first, m_around; // the triangles around each point
+  Triangle_stars m_stars;
 };
 
 } // namespace internal

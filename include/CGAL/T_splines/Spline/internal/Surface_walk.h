@@ -4,7 +4,9 @@
 #ifndef CGAL_T_SPLINES_SPLINE_INTERNAL_SURFACE_WALK_H
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_SURFACE_WALK_H
 
-#include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
+#include <CGAL/T_splines/Spline/internal/Triangle_set.h>
+#include <CGAL/T_splines/Spline/internal/Triangle_stars.h>
+#include <CGAL/T_splines/Spline/internal/closest_of_triangle.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -32,30 +34,21 @@ public:
     std::size_t triangle;
     Point_3 point;
     double squared_distance; ///< from the point that was asked for
-    int edge;                ///< on which edge of the triangle, from corner `edge` to the next; -1 if inside
-    bool is_at_corner;       ///< at an end of the edge
+    int side;                ///< of the triangle, see `Triangle_point`
+    bool is_at_corner;       ///< of the triangle
 
-    bool is_inside() const { return edge < 0; }
+    bool is_inside() const { return side < 0; }
   };
 
   /// \param points, triangles must outlive this
   Surface_walk(const std::vector<Point_3>& points, const std::vector<Triangle>& triangles)
     : m_points(points),
       m_triangles(triangles),
-      m_first(points.size() + 1, 0)
+      m_stars(points.size(), triangles)
   {
-    for (const Triangle& t : triangles)
-      for (const std::size_t p : t)
-        ++m_first[p + 1];
-    for (std::size_t p = 0; p < points.size(); ++p)
-      m_first[p + 1] += m_first[p];
-    m_star.resize(3 * triangles.size());
-    std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       const Triangle& t = triangles[i];
-      for (const std::size_t p : t)
-        m_star[next[p]++] = i;
-      m_corners.push_back({points[t[0]], points[t[1]], points[t[2]]});
+      m_corners.emplace_back(points[t[0]], points[t[1]], points[t[2]]);
       const Vector_3 n = normal(i);
       const double length = std::sqrt(n.squared_length());
       m_unit_normals.push_back(length > 0 ? n / length : Vector_3(0, 0, 0));
@@ -69,8 +62,7 @@ public:
   void for_each_neighbor(const std::size_t triangle, const Function& f) const
   {
     for (const std::size_t p : m_triangles[triangle])
-      for (std::size_t i = m_first[p]; i < m_first[p + 1]; ++i)
-        f(m_star[i]);
+      m_stars.for_each_around(p, f);
   }
 
   const Vector_3& unit_normal(const std::size_t triangle) const { return m_unit_normals[triangle]; }
@@ -87,7 +79,7 @@ public:
       const Foot before = foot;
       // Mostly the way goes across the edge. Only at its end the whole neighbourhood is looked at.
       if (!foot.is_at_corner)
-        take_if_closer(q, m_across[foot.triangle][foot.edge], foot);
+        take_if_closer(q, m_across[foot.triangle][foot.side], foot);
       if (!(foot.squared_distance < before.squared_distance * closer))
         for_each_neighbor(before.triangle, [&](const std::size_t t) { take_if_closer(q, t, foot); });
       if (!(foot.squared_distance < before.squared_distance * closer))
@@ -139,13 +131,14 @@ private:
   std::size_t find_across(const std::size_t triangle, const std::size_t i) const
   {
     const std::size_t a = m_triangles[triangle][i], b = m_triangles[triangle][(i + 1) % 3];
-    for (std::size_t k = m_first[a]; k < m_first[a + 1]; ++k) {
-      const Triangle& t = m_triangles[m_star[k]];
+    std::size_t result = triangle;
+    m_stars.for_each_around(a, [&](const std::size_t k) {
+      const Triangle& t = m_triangles[k];
       for (std::size_t j = 0; j < 3; ++j)
         if (t[j] == b && t[(j + 1) % 3] == a)
-          return m_star[k];
-    }
-    return triangle;
+          result = k;
+    });
+    return result;
   }
 
   void take_if_closer(const Point_3& q, const std::size_t t, Foot& foot) const
@@ -159,39 +152,15 @@ private:
 
   Foot closest_of(const Point_3& q, const std::size_t t) const
   {
-    const std::array<Point_3, 3>& corners = m_corners[t];
-    const Point_3 &a = corners[0], &b = corners[1], &c = corners[2];
-    const Vector_3 ab = b - a, ac = c - a, n = CGAL::cross_product(ab, ac), aq = q - a;
-    const double nn = n.squared_length();
-    Foot foot{t, a, CGAL::squared_distance(q, a), 0, true};
-    const double x = CGAL::cross_product(aq, ac) * n, y = CGAL::cross_product(ab, aq) * n;
-    if (nn > 0 && x > 0 && y > 0 && x + y < nn) {
-      foot.point = a + (x / nn) * ab + (y / nn) * ac;
-      foot.squared_distance = CGAL::squared_distance(q, foot.point);
-      foot.edge = -1;
-      const double longest = (std::max)(ab.squared_length(), ac.squared_length());
-      if (nn > 1e-10 * longest * longest)
-        return foot;
-    }
-    // Of a thin triangle, the boundary may be closer than what round-off made of the inside.
-    for (int i = 0; i < 3; ++i) {
-      const Point_3 &p = corners[i], &r = corners[(i + 1) % 3];
-      const Vector_3 pr = r - p;
-      const double product = (q - p) * pr, length = pr.squared_length();
-      const bool is_between = product > 0 && product < length;
-      const Point_3 s = is_between ? p + (product / length) * pr : product > 0 ? r : p;
-      const double d = CGAL::squared_distance(q, s);
-      if (d < foot.squared_distance)
-        foot = {t, s, d, i, !is_between};
-    }
-    return foot;
+    const Triangle_point p = closest_of_triangle(q, m_corners[t]);
+    return {t, p.point, CGAL::squared_distance(q, p.point), p.side, p.is_at_corner};
   }
 
   const std::vector<Point_3>& m_points;
   const std::vector<Triangle>& m_triangles;
-  std::vector<std::array<Point_3, 3>> m_corners;
+  Triangle_stars m_stars;
+  std::vector<Triangle_set::Triangle_3> m_corners;
   std::vector<std::array<std::size_t, 3>> m_across;
-  std::vector<std::size_t> m_first, m_star; // the triangles around each point
   std::vector<Vector_3> m_unit_normals;
 };
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Spline/internal/Box_tree.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
+#include <CGAL/T_splines/Spline/internal/closest_of_triangle.h>
 
 #include <cmath>
 #include <cstddef>
@@ -15,61 +16,6 @@
 namespace CGAL {
 namespace T_splines {
 namespace internal {
-
-/// The point of a segment that is closest to p. The segment may be a point.
-inline Triangle_set::Point_3 closest_of_segment(const Triangle_set::Point_3& p, const Triangle_set::Point_3& a,
-                                                const Triangle_set::Point_3& b)
-{
-  const auto d = b - a;
-  const double s = (p - a) * d, length = d.squared_length();
-  return s > 0 ? s < length ? a + (s / length) * d : b : a;
-}
-
-/// The point of a triangle that is closest to p. It lies in the triangle up to round-off, however thin this is; CGAL's
-/// own projection divides by zero if the triangle has no area.
-inline Triangle_set::Point_3 closest_of_triangle(const Triangle_set::Point_3& p, const Triangle_set::Triangle_3& t)
-{
-  const auto normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
-  const double squared_normal = normal.squared_length(), squared_side = (t[1] - t[0]).squared_length();
-  constexpr double thin = 1e-2; // the squared sine of an angle: round-off of the normal grows with its inverse
-  // A foot in the plane tells which sides are closest, if the normal is accurate.
-  const bool is_thin = !(squared_normal > thin * squared_side * (t[2] - t[0]).squared_length()) ||
-                       !(squared_normal > thin * squared_side * (t[2] - t[1]).squared_length());
-  if (!is_thin) {
-    const Triangle_set::Point_3 foot = p - (((p - t[0]) * normal) / squared_normal) * normal;
-    Triangle_set::Point_3 best = foot;
-    double distance = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 3; ++i) {
-      if (CGAL::cross_product(t[i + 1] - t[i], foot - t[i]) * normal > 0)
-        continue;
-      const Triangle_set::Point_3 q = closest_of_segment(p, t[i], t[i + 1]);
-      const double d = CGAL::squared_distance(p, q);
-      if (d < distance) {
-        best = q;
-        distance = d;
-      }
-    }
-    return best;
-  }
-  Triangle_set::Point_3 best = closest_of_segment(p, t[0], t[1]);
-  double distance = CGAL::squared_distance(p, best);
-  for (int i = 1; i < 3; ++i) {
-    const Triangle_set::Point_3 q = closest_of_segment(p, t[i], t[i + 1]);
-    const double d = CGAL::squared_distance(p, q);
-    if (d < distance) {
-      best = q;
-      distance = d;
-    }
-  }
-  if (!(squared_normal > 0))
-    return best;
-  // The normal of a thin triangle is not accurate, and the less it matters the shorter the vector that is projected.
-  const Triangle_set::Point_3 foot = p - (((p - best) * normal) / squared_normal) * normal;
-  for (int i = 0; i < 3; ++i)
-    if (!(CGAL::cross_product(t[i + 1] - t[i], foot - t[i]) * normal > 0))
-      return best;
-  return CGAL::squared_distance(p, foot) < distance ? foot : best;
-}
 
 /// A tree of triangles that finds closest points. Queries may run in any number of threads.
 class Triangle_tree {
@@ -136,7 +82,7 @@ public:
 private:
   void offer(const Point_3& p, const std::size_t i, Foot& best) const
   {
-    const Point_3 q = closest_of_triangle(p, m_triangles[i]);
+    const Point_3 q = closest_of_triangle(p, m_triangles[i]).point;
     const double squared_distance = CGAL::squared_distance(p, q);
     if (squared_distance < best.squared_distance)
       best = {squared_distance, i, q};
