@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Cross_field/compute_smooth_cross_field.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
+#include <CGAL/T_splines/Cross_field/reduce_cones.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
 #include <CGAL/T_splines/Similarity_map/compute_seamless_similarity_map.h>
 
@@ -528,6 +529,21 @@ TEST_CASE("loops are needed", "[compute_seamless_similarity_map]")
   Map<Surface_mesh, Surface_mesh> map;
   map.compute(mesh, T::Holonomy_signature<Surface_mesh>(), CGAL::parameters::default_values());
   CHECK(map.report.status == Status::INVALID_SIGNATURE);
+}
+
+// Crossings of input edges with those of the final triangulation come closer than doubles resolve there, several in one
+// place.
+TEST_CASE("vertices of the refinement that nearly coincide become one", "[compute_seamless_similarity_map]")
+{
+  Surface_mesh mesh;
+  REQUIRE(
+      T::read_triangle_mesh(std::string(T_SPLINES_TEST_DATA) + "/hard_meshes/extruded_profile.off", mesh).success());
+  const auto field = mesh.add_property_map<Surface_mesh::Face_index, Kernel::Vector_3>("f:cross").first;
+  REQUIRE(T::compute_smooth_cross_field(mesh, field).success());
+  T::Holonomy_signature<Surface_mesh> signature;
+  REQUIRE(T::holonomy_signature_of_cross_field(mesh, field, signature).success());
+  REQUIRE(T::reduce_cones(mesh, signature).success());
+  check_map_of(mesh, signature);
 }
 
 TEST_CASE("real meshes with smooth cross fields", "[compute_seamless_similarity_map]")

@@ -25,7 +25,7 @@ namespace internal {
 /// Cells of the common subdivision can be as thin as the rounding of coordinates. Where a triangle is turned over or so
 /// thin, the refinement is made coarser: edges that lie on no input edge and not on the cut are flipped, and added
 /// vertices are moved along an edge into a neighbor, along the input edge or the cut on which they lie. An operation is
-/// done if all triangles that it changes are good afterwards. Thin triangles that are positive may stay, such as those
+/// done if it leaves fewer bad triangles, and no good one becomes bad. Thin triangles that are positive may stay, such as those
 /// of the input; others are a failure.
 class Sliver_removal {
   using Index = Triangulation_connectivity::Index;
@@ -246,16 +246,20 @@ private:
     } while (k != h);
     if (common_neighbors != 2 || (cut_edges != 0 && (cut_edges != 2 || !m_is_cut[h >> 1])))
       return false;
+    // Where many vertices nearly coincide, one collapse does not make all triangles good.
+    int remaining = 0;
     bool is_right_of_cut = false; // once the second cut edge at u is passed
     for (k = m_mesh.next_around_source(h); k != h; k = m_mesh.next_around_source(k)) {
       is_right_of_cut = is_right_of_cut || m_is_cut[k >> 1];
       const Index f = m_mesh.face(k);
-      if (f == m_mesh.face(g))
+      if (f == m_mesh.face(g) ||
+          is_good({w, uv_at_target(h, is_right_of_cut)}, corner(k), corner(m_mesh.next(k)), m_refined.input_face[f]))
         continue;
-      if (!is_good({w, uv_at_target(h, is_right_of_cut)}, corner(k), corner(m_mesh.next(k)), m_refined.input_face[f]))
+      if (is_good(f))
         return false;
+      ++remaining;
     }
-    return true;
+    return remaining == 0 || !is_good(m_mesh.face(h)) || !is_good(m_mesh.face(g));
   }
 
   // uv of the target of h in the chart on its left, or on its right.
