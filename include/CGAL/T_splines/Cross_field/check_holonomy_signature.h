@@ -15,6 +15,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -99,10 +100,14 @@ check_holonomy_signature(const TriangleMesh& mesh, const Holonomy_signature<Tria
     report.status = Holonomy_signature_status::INVALID_MESH;
     return report;
   }
-  if (signature.quarter_turns(boost::graph_traits<TriangleMesh>::null_vertex()) != signature.regular) {
+  // Not by quarter_turns(): handles of some graphs must not be hashed if they are null.
+  const auto& cones = signature.cones();
+  const auto null_cone = std::find_if(cones.begin(), cones.end(), [](const auto& cone) {
+    return cone.first == boost::graph_traits<TriangleMesh>::null_vertex();
+  });
+  if (null_cone != cones.end()) {
     report.status = Holonomy_signature_status::NULL_VERTEX;
-    while (signature.cones()[report.index].first != boost::graph_traits<TriangleMesh>::null_vertex())
-      ++report.index;
+    report.index = static_cast<std::size_t>(null_cone - cones.begin());
     return report;
   }
   const internal::Closed_mesh<TriangleMesh> closed_mesh(mesh, np);
