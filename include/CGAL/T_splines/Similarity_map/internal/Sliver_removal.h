@@ -25,8 +25,9 @@ namespace internal {
 /// Cells of the common subdivision can be as thin as the rounding of coordinates. Where a triangle is turned over or so
 /// thin, the refinement is made coarser: edges that lie on no input edge and not on the cut are flipped, and added
 /// vertices are moved along an edge into a neighbor, along the input edge or the cut on which they lie. An operation is
-/// done if it leaves fewer bad triangles, and no good one becomes bad. Thin triangles that are positive may stay, such as those
-/// of the input; others are a failure.
+/// done if all triangles that it changes are good afterwards. Where many vertices nearly coincide, no single collapse does
+/// that; then one will do that leaves fewer bad triangles, and none worse than before. Thin triangles that are positive
+/// may stay, such as those of the input; others are a failure.
 class Sliver_removal {
   using Index = Triangulation_connectivity::Index;
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -52,17 +53,24 @@ public:
       return;
     m_is_removed.assign(m_mesh.number_of_faces(), 0);
     m_outgoing = m_mesh.outgoing_halfedges();
-    while (true) {
+    const auto first_negative = [&] {
+      return std::find_if(bad.begin(), bad.end(), [this](const Index f) { return !is_positive(f); });
+    };
+    while (!bad.empty()) {
       const std::size_t before = bad.size();
       for (const Index f : bad)
         if (!m_is_removed[f] && !is_good(f))
           repair(f);
       bad.erase(std::remove_if(bad.begin(), bad.end(), [this](const Index f) { return m_is_removed[f] || is_good(f); }),
                 bad.end());
-      if (bad.empty() || bad.size() == before)
+      if (bad.size() < before)
+        m_may_leave_bad = false;
+      else if (!m_may_leave_bad && first_negative() != bad.end())
+        m_may_leave_bad = true;
+      else
         break;
     }
-    const auto negative = std::find_if(bad.begin(), bad.end(), [this](const Index f) { return !is_positive(f); });
+    const auto negative = first_negative();
     if (negative != bad.end())
       m_first_bad_input_face = m_refined.input_face[*negative];
     compress();
@@ -246,20 +254,19 @@ private:
     } while (k != h);
     if (common_neighbors != 2 || (cut_edges != 0 && (cut_edges != 2 || !m_is_cut[h >> 1])))
       return false;
-    // Where many vertices nearly coincide, one collapse does not make all triangles good.
-    int remaining = 0;
+    int bad = 0;
     bool is_right_of_cut = false; // once the second cut edge at u is passed
     for (k = m_mesh.next_around_source(h); k != h; k = m_mesh.next_around_source(k)) {
       is_right_of_cut = is_right_of_cut || m_is_cut[k >> 1];
       const Index f = m_mesh.face(k);
-      if (f == m_mesh.face(g) ||
-          is_good({w, uv_at_target(h, is_right_of_cut)}, corner(k), corner(m_mesh.next(k)), m_refined.input_face[f]))
+      const Corner moved = {w, uv_at_target(h, is_right_of_cut)}, p = corner(k), q = corner(m_mesh.next(k));
+      if (f == m_mesh.face(g) || is_good(moved, p, q, m_refined.input_face[f]))
         continue;
-      if (is_good(f))
+      if (!m_may_leave_bad || is_good(f) || (is_positive(f) && !is_positive(moved, p, q, m_refined.input_face[f])))
         return false;
-      ++remaining;
+      ++bad;
     }
-    return remaining == 0 || !is_good(m_mesh.face(h)) || !is_good(m_mesh.face(g));
+    return bad == 0 || !is_good(m_mesh.face(h)) || !is_good(m_mesh.face(g));
   }
 
   // uv of the target of h in the chart on its left, or on its right.
@@ -370,6 +377,7 @@ private:
   std::vector<Projection> m_projection; // per input face
   std::vector<char> m_is_removed;       // per face
   std::vector<Index> m_outgoing;        // per vertex
+  bool m_may_leave_bad = false;         // whether a collapse may
   int m_first_bad_input_face = none;
 };
 
