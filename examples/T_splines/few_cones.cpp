@@ -69,8 +69,8 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   print_cones("reduced", signature);
-  std::cout << report.number_of_splits << " splits, " << report.number_of_merges << " merges; the energy went from " << report.energy_before << " to "
-            << report.energy << "\n";
+  std::cout << report.number_of_splits << " splits, " << report.number_of_merges << " merges; the energy went from "
+            << report.energy_before << " to " << report.energy << "\n";
 
   std::ofstream output(cones_file);
   T::write_cones(output, mesh, signature);

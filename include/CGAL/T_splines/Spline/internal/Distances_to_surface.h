@@ -27,7 +27,8 @@ namespace internal {
 /// Measures the distances of a mesh from a surface.
 ///
 /// Edges and triangles that are large compared with the Bezier patches next to them are bisected; distances are measured
-/// at all corners and centroids. From the largest ones, steps lead to even larger ones. Then the parts whose bounds exceed the largest distance are bisected. There are two bounds.
+/// at all corners and centroids. From the largest ones, steps lead to even larger ones. Then the parts whose bounds
+/// exceed the largest distance are bisected. There are two bounds.
 /// (1) The distance from a point of the surface is a convex function: it is largest at a corner of a polygon. (2) The
 /// triangle of the corners' closest points is no farther than the farthest corner, and the surface not far from that
 /// triangle.
@@ -214,7 +215,8 @@ private:
       bool is_higher = false;
       for (int i = 0; i < 6 && !is_higher; ++i, --number_of_trials) {
         const double angle = CGAL_PI / 3 * i;
-        const Point_3 q = closest_of_triangle(sample.point + step * (std::cos(angle) * x + std::sin(angle) * y), t).point;
+        const Point_3 q =
+            closest_of_triangle(sample.point + step * (std::cos(angle) * x + std::sin(angle) * y), t).point;
         const Foot foot = measured(q, sample.foot, sample.triangle, visit);
         is_higher = foot.distance > sample.foot.distance;
         if (is_higher) {
