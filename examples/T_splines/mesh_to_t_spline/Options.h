@@ -43,8 +43,8 @@ Guidance (without any, a smooth cross field is computed, and its cones are reduc
 For the computed field:
   --align-curvature X       aligns it to principal curvatures: 0 not at all, 100 well (0)
   --cone-energy X           cones are merged as long as a merge raises the energy of the map's scale by at most X, a
-                            number without unit; 0 merges only what is better merged (3; no merges beyond
-                            --max-cones, if that is given)
+                            number without unit; 0 merges only what is better merged (6 on a component of genus 0,
+                            3 of genus 1, 4 on others; no merges beyond --max-cones, if that is given)
   --max-cones N             cones are merged until at most N are left, whatever this costs (no limit)
   --all-cones               the cones of the field are not merged
 Computation of the map:

@@ -20,7 +20,6 @@
 #include <fstream>
 #include <functional>
 #include <ios>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -117,16 +116,14 @@ Failure reduce_cones(const Options& options, const Mesh& mesh, Chosen_spd_solver
                      Signature& signature, Figures::Signature& figures)
 {
   using Status = CGAL::T_splines::Cone_reduction_status;
-  const bool has_limit = options.largest_number_of_cones.has_value();
-  const double energy = options.cone_energy.value_or(has_limit ? -std::numeric_limits<double>::infinity() : 3);
-  const int limit = options.largest_number_of_cones.value_or(std::numeric_limits<int>::max());
-  const auto np = CGAL::T_splines::parameters::maximum_energy_change(
-                      energy, CGAL::T_splines::parameters::maximum_number_of_cones(limit))
-                      .visitor(Progress_handle(progress))
-                      .sparse_linear_solver(std::ref(solver));
+  const auto np =
+      CGAL::T_splines::parameters::maximum_energy_change(
+          options.cone_energy, CGAL::T_splines::parameters::maximum_number_of_cones(options.largest_number_of_cones))
+          .visitor(Progress_handle(progress))
+          .sparse_linear_solver(std::ref(solver));
   const auto report = CGAL::T_splines::reduce_cones(mesh, signature, np);
   if (report.status == Status::LIMIT_UNREACHABLE)
-    return {"--max-cones " + std::to_string(limit) +
+    return {"--max-cones " + std::to_string(*options.largest_number_of_cones) +
                 ": the surface cannot do with so few cones; the fewest possible are " +
                 std::to_string(report.number_of_cones),
             true};

@@ -18,10 +18,12 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <random>
 #include <string>
 #include <utility>
@@ -49,6 +51,17 @@ test::Soup sphere(const int n)
     p = CGAL::ORIGIN + v / std::sqrt(v.squared_length());
   }
   return soup;
+}
+
+// Six arms of cubes around one.
+test::Soup cross(const int n)
+{
+  return test::cubes(
+      [](const int x, const int y, const int z) {
+        const auto is_inside = [](const int i) { return i >= 0 && i < 7; };
+        return (x == 3) + (y == 3) + (z == 3) >= 2 && is_inside(x) && is_inside(y) && is_inside(z);
+      },
+      7, n);
 }
 
 template <typename TriangleMesh>
@@ -471,6 +484,55 @@ TEST_CASE("components do not mix, and their sizes do not matter")
   REQUIRE(ts::reduce_cones(mesh, signature).success());
   for (unsigned int v = 0; v < n; ++v)
     CHECK(signature.quarter_turns(Mesh::Vertex_index(v)) == signature.quarter_turns(Mesh::Vertex_index(n + v)));
+}
+
+TEST_CASE("by default the genus of each component sets its limit")
+{
+  test::Soup soup;
+  std::vector<std::size_t> first_vertex;
+  for (int genus = 0; genus <= 3; ++genus) {
+    first_vertex.push_back(soup.points.size());
+    soup = test::disjoint_union(soup, genus == 0 ? cross(3) : test::plate(genus, 3));
+  }
+  const Mesh mesh = test::to_mesh<Mesh>(soup);
+  std::vector<std::pair<Mesh::Vertex_index, int>> cones;
+  std::vector<std::vector<Mesh::Vertex_index>> component(4);
+  for (const Mesh::Vertex_index v : vertices(mesh))
+    component[std::upper_bound(first_vertex.begin(), first_vertex.end(), std::size_t(v)) - first_vertex.begin() - 1]
+        .push_back(v);
+  std::mt19937 random(5);
+  for (int genus = 0; genus <= 3; ++genus) {
+    std::shuffle(component[genus].begin(), component[genus].end(), random);
+    const int sum = 8 * (1 - genus);
+    for (int i = 0; i < std::abs(sum) + 24; ++i)
+      cones.emplace_back(component[genus][i], i < std::abs(sum) ? (sum > 0 ? 3 : 5) : 3 + i % 2 * 2);
+  }
+  Signature signature;
+  REQUIRE(ts::holonomy_signature_of_cones(mesh, cones, signature).success());
+  const auto reduced = [&](const std::optional<double> energy) {
+    Signature result = signature;
+    REQUIRE(ts::reduce_cones(mesh, result, ts::parameters::maximum_energy_change(energy)).success());
+    return result;
+  };
+  const Signature by_default = reduced(std::nullopt);
+  std::array<int, 4> number_of_differences{};
+  for (const double energy : {0.3, 3., 4., 6.}) {
+    const Signature by_energy = reduced(energy);
+    for (int genus = 0; genus <= 3; ++genus) {
+      const bool is_default = energy == (genus == 0 ? 6 : genus == 1 ? 3 : 4);
+      for (const Mesh::Vertex_index v : component[genus]) {
+        const bool is_equal = by_default.quarter_turns(v) == by_energy.quarter_turns(v);
+        if (is_default)
+          REQUIRE(is_equal);
+        else
+          number_of_differences[genus] += is_equal ? 0 : 1;
+      }
+    }
+  }
+  for (int genus = 0; genus <= 3; ++genus) {
+    CAPTURE(genus);
+    CHECK(number_of_differences[genus] > 0);
+  }
 }
 
 TEST_CASE("the order in which cones are set does not matter, and equal input gives equal results")

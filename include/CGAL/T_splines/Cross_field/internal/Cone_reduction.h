@@ -27,7 +27,7 @@ constexpr int fewest_quarter_turns = 3, most_quarter_turns = 6;
 /// When merging cones ends.
 struct Cone_reduction_limits {
   int number_of_cones = (std::numeric_limits<int>::max)(); ///< as long as there are more, they are merged at any price
-  double energy_change = 0;                                ///< beyond that, this is the highest price of a merge
+  std::vector<double> energy_change;                       ///< beyond that, the highest price of a merge, per component
 };
 
 /// `quarter_turns` of one cone that go to another one; cones are given by their indices.
@@ -146,8 +146,8 @@ public:
     find_partners(number_of_partners());
     for (;;) {
       const bool is_demanded = number_of_cones() > limits.number_of_cones;
-      const Cone_move move = is_demanded ? demanded_move() : cheapest_merge(usual_range);
-      const bool is_acceptable = !move.is_null() && (is_demanded || move.energy_change <= limits.energy_change);
+      const Cone_move move = is_demanded ? demanded_move() : cheapest_affordable_merge(limits.energy_change);
+      const bool is_acceptable = !move.is_null();
       if (is_acceptable) {
         apply(move);
         m_merges.push_back(move);
@@ -285,7 +285,7 @@ private:
     return a.from != b.from ? a.from > b.from : a.to > b.to;
   }
 
-  // The move that raises the energy least among those that `turns(k_a, k_b)` offers; it is 0 where there is none.
+  // The move that raises the energy least among those that `turns(a, b)` offers; it is 0 where there is none.
   template <typename Turns>
   Cone_move cheapest_move(const Turns& turns)
   {
@@ -310,7 +310,8 @@ private:
       for (int b = 0; b < static_cast<int>(m_potential.size()); ++b)
         add_candidate(
             a, b,
-            [is_usual](const int k_a, const int k_b) {
+            [&](const int from, const int to) {
+              const int k_a = m_signature.quarter_turns[from], k_b = m_signature.quarter_turns[to];
               const int turns = k_a < usual_range.first ? -1 : 1;
               return is_usual(k_b + turns) || (k_a == 1 && k_b == 3) ? turns : 0;
             },
@@ -325,7 +326,7 @@ private:
   {
     if (a == b || m_signature.component[a] != m_signature.component[b])
       return;
-    Cone_move move{a, b, turns(m_signature.quarter_turns[a], m_signature.quarter_turns[b]), 0.};
+    Cone_move move{a, b, turns(a, b), 0.};
     if (move.quarter_turns == 0)
       return;
     move.energy_change = cone_energy_change(move) + least_loop_energy_change(move, length);
@@ -348,13 +349,32 @@ private:
     return cheapest;
   }
 
+  // What merging a into b moves; 0 where it would leave a number of quarter turns out of a range.
+  int merged_turns(const int a, const int b, const Range& range) const
+  {
+    const int turns = m_signature.quarter_turns[a] - regular;
+    const int k = m_signature.quarter_turns[b] + turns;
+    return range.first <= k && k <= range.second ? turns : 0;
+  }
+
   // Of the merges that leave numbers of quarter turns in a range.
   Cone_move cheapest_merge(const Range& range)
   {
-    return cheapest_move([range](const int k_a, const int k_b) {
-      const int k = k_b + k_a - regular;
-      return range.first <= k && k <= range.second ? k_a - regular : 0;
-    });
+    return cheapest_move([&](const int a, const int b) { return merged_turns(a, b, range); });
+  }
+
+  // The cheapest one of those whose component allows its price; it is null where there is none.
+  Cone_move cheapest_affordable_merge(const std::vector<double>& limit_of_component)
+  {
+    const auto limit = [&](const int cone) { return limit_of_component[m_signature.component[cone]]; };
+    double refused = -std::numeric_limits<double>::infinity();
+    for (;;) {
+      const Cone_move move = cheapest_move(
+          [&](const int a, const int b) { return limit(a) > refused ? merged_turns(a, b, usual_range) : 0; });
+      if (move.is_null() || move.energy_change <= limit(move.from))
+        return move;
+      refused = limit(move.from); // nothing is cheap enough for components of the same limit or a lower one
+    }
   }
 
   // As long as a component has more cones than it needs (three on a sphere, none on a torus, one else), two of them can
@@ -369,7 +389,8 @@ private:
       if (!merge.is_null())
         return merge;
     }
-    return cheapest_move([](const int k_a, const int k_b) { return k_a == 2 && k_b == 2 ? -1 : 0; });
+    const auto& k = m_signature.quarter_turns;
+    return cheapest_move([&k](const int a, const int b) { return k[a] == 2 && k[b] == 2 ? -1 : 0; });
   }
 
   void apply(const Cone_move& move)
