@@ -89,9 +89,8 @@ public:
       m_points(surface.points()),
       m_triangles(surface.triangles()),
       m_walk(m_points, m_triangles),
-      m_stiffness(m_triangles.size(), 1),
       m_mesh(mesh_of(m_points, m_triangles)),
-      m_plain{t_mesh, surface}
+      m_plain{t_mesh, surface, std::vector<double>(t_mesh.mesh.number_of_faces(), 1)}
   {
   }
 
@@ -147,6 +146,7 @@ private:
   struct State {
     Working t_mesh;
     Carried surface;
+    std::vector<double> stiffness; // of the faces, by index
   };
 
   // A face of the plain T-mesh that is to be split.
@@ -192,7 +192,18 @@ private:
     const auto report =
         CGAL::T_splines::make_spline_compatible(t.mesh, t.knots, t.corners, CGAL::parameters::visitor(visitor));
     m_in_rings = report.vertices_in_rings;
+    m_fine.stiffness = inherited(m_plain.stiffness, m_ancestors, m_fine.t_mesh.mesh);
     return report.success();
+  }
+
+  // What the faces have of those that they were cut from.
+  static std::vector<double> inherited(const std::vector<double>& stiffness, const Face_ancestors<Mesh>& ancestors,
+                                       const Mesh& mesh)
+  {
+    std::vector<double> result;
+    for (const Face f : mesh.faces())
+      result.push_back(stiffness[ancestors(f)]);
+    return result;
   }
 
   template <typename TMesh>
@@ -200,7 +211,7 @@ private:
   {
     constexpr double almost = 2;
     Working& t = m_fine.t_mesh;
-    Fitter fitter(t.mesh, t.knots, t.corners, m_fine.surface, m_walk, m_stiffness);
+    Fitter fitter(t.mesh, t.knots, t.corners, m_fine.surface, m_walk, m_fine.stiffness);
     if (!fitter.fitted().surface().is_valid()) {
       report.status = Status::NOT_SPLINE_COMPATIBLE;
       return false;
@@ -249,19 +260,23 @@ private:
     });
   }
 
-  // Where the surface folds, it will be stiffer.
+  // Where the surface folds, it will be stiffer, and in the faces beside: the fold would only move there.
   void stiffen(const std::vector<Face_fit>& faces)
   {
     constexpr double stiffer = 3;
-    std::vector<std::size_t> triangles;
-    for (const Face f : m_fine.t_mesh.mesh.faces())
-      if (faces[f].fold == Fold_state::FOLDED)
-        for (const auto& image : m_fine.surface.images(f))
-          triangles.push_back(image.triangle);
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-    for (const std::size_t t : triangles)
-      m_stiffness[t] *= stiffer;
+    const Mesh& mesh = m_plain.t_mesh.mesh;
+    std::vector<char> is_concerned(mesh.number_of_faces(), false);
+    for (const Face f : m_fine.t_mesh.mesh.faces()) {
+      if (faces[f].fold != Fold_state::FOLDED)
+        continue;
+      const Face folded = m_ancestors(f);
+      is_concerned[folded] = true;
+      for (const auto h : mesh.halfedges_around_face(mesh.halfedge(folded)))
+        if (!mesh.is_border(mesh.opposite(h)))
+          is_concerned[mesh.face(mesh.opposite(h))] = true;
+    }
+    for (const Face f : mesh.faces())
+      m_plain.stiffness[f] *= is_concerned[f] ? stiffer : 1;
   }
 
   // What the samples did not see, by what `measure_T_spline_deviation()` and `check_T_spline_self_intersections()` do.
@@ -364,12 +379,14 @@ private:
     std::size_t number = m_plans.size();
     while (number > 0) {
       Working& t = m_plain.t_mesh;
-      const auto visitor = m_plain.surface.visitor();
+      Face_ancestors<Mesh> ancestors;
+      const T_mesh_visitor_pair visitor(m_plain.surface.visitor(), ancestors.visitor());
       T_mesh_editor editor(t.mesh, t.knots, t.corners, visitor);
       const Split_position position(t.mesh, t.knots, t.corners);
       for (std::size_t i = 0; i < number; ++i)
         split(m_plans[i], are_few || m_plans[i].error > large_error, editor, position);
       grade_T_mesh(t.mesh, t.knots, t.corners, largest_ratio_of_neighbours, CGAL::parameters::visitor(visitor));
+      m_plain.stiffness = inherited(plain.stiffness, ancestors, t.mesh);
       const bool is_compatible = make_compatible();
       const std::size_t after = m_fine.t_mesh.mesh.number_of_vertices();
       if (is_compatible && after <= m_limit)
@@ -389,7 +406,6 @@ private:
   const std::vector<typename Carried::Point_3> m_points; // of the surface
   const std::vector<typename Carried::Triangle> m_triangles;
   const Surface_walk m_walk;
-  std::vector<double> m_stiffness; // of the triangles
   const Triangle_mesh m_mesh;
   Triangle_reading<Triangle_mesh> m_reading;
   std::optional<Measured_mesh> m_measured_mesh;

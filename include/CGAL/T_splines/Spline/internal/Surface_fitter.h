@@ -28,6 +28,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -63,14 +64,14 @@ public:
   using Sample = Fitting_sample<FT>;
 
   /// \param carried, walk must outlive this; the walk is over the points and triangles of the carried surface
-  /// \param stiffness of its triangles: by what factor the fairness is larger over them. Must outlive this
+  /// \param stiffness of the faces, by index: by what factor the fairness is larger in them
   Surface_fitter(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                 const Carried& carried, const Surface_walk& walk, const std::vector<double>& stiffness)
+                 const Carried& carried, const Surface_walk& walk, std::vector<double> stiffness)
     : m_fitted(t_mesh, knots, corners, CGAL::Constant_property_map<typename Surface::vertex_descriptor, FT>(FT(1)),
                CGAL::parameters::default_values()),
       m_carried(carried),
       m_walk(walk),
-      m_stiffness(stiffness)
+      m_stiffness(std::move(stiffness))
   {
   }
 
@@ -250,11 +251,11 @@ private:
   {
     const FT factor = FT(fairness * m_mean_area * m_mean_area);
     const std::size_t number_of_faces = m_fitted.surface().t_mesh_arrays().number_of_faces();
-    std::vector<FT> areas(number_of_faces, FT(0)), stiffness(number_of_faces, FT(0));
-    for (const Carried_sample& s : m_cells) {
+    std::vector<FT> areas(number_of_faces, FT(0)), stiffness;
+    for (const Carried_sample& s : m_cells)
       areas[s.face] += FT(s.area);
-      stiffness[s.face] = (std::max)(stiffness[s.face], FT(factor * FT(m_stiffness[s.triangle])));
-    }
+    for (const double x : m_stiffness)
+      stiffness.push_back(factor * FT(x));
     system.set_fairness(areas, stiffness);
   }
 
@@ -376,7 +377,7 @@ private:
   Fitted m_fitted;
   const Carried& m_carried;
   const Surface_walk& m_walk;
-  const std::vector<double>& m_stiffness; // of the triangles
+  std::vector<double> m_stiffness; // of the faces
   CGAL::Bbox_3 m_box;
   double m_mean_area = 0; // of a sample of the cells
   std::vector<Carried_sample> m_cells, m_edges, m_corners;
