@@ -15,19 +15,19 @@ namespace T_splines {
 
 /// What is wrong with a holonomy signature, or with what it is made from.
 enum class Holonomy_signature_status {
-  VALID,                   ///< the signature is admissible
-  INVALID_MESH,            ///< the mesh is refused: see `mesh`
-  INVALID_FIELD,           ///< the field has no direction at `face`: zero, not a number, or perpendicular to the face
-  NULL_VERTEX,             ///< cone number `index` has no vertex
-  DUPLICATE_CONE,          ///< `vertex` is given twice; cone number `index` repeats it
-  NON_POSITIVE_CONE,       ///< `vertex` has the number `actual` < 1 of quarter turns
-  GAUSS_BONNET_VIOLATED,   ///< the sum of 4 - k over the vertices of `component` is `actual` instead of `expected`
-  WRONG_NUMBER_OF_LOOPS,   ///< `component` has `actual` loops instead of `expected`
-  WRONG_NUMBER_OF_TURNS,   ///< `actual` loop turning numbers are given instead of `expected`
-  INVALID_LOOP,            ///< loop number `index` is not a closed strip of faces that never turns back
-  DEPENDENT_LOOPS,         ///< the loops of `component` do not generate its homology
-  VERTEX_NOT_INTEGER,      ///< the turns around `vertex` are not a multiple of pi/2 within 1e-6
-  LOOP_NOT_INTEGER         ///< the turns along loop number `index` are not a multiple of pi/2 within 1e-6
+  VALID,                 ///< the signature is admissible
+  INVALID_MESH,          ///< the mesh is refused: see `mesh`
+  INVALID_FIELD,         ///< the field has no direction at `face`: zero, not a number, or perpendicular to the face
+  NULL_VERTEX,           ///< cone number `index` has no vertex
+  DUPLICATE_CONE,        ///< `vertex` is given twice; cone number `index` repeats it
+  NON_POSITIVE_CONE,     ///< `vertex` has the number `actual` < 1 of quarter turns
+  GAUSS_BONNET_VIOLATED, ///< the sum of 4 - k over the vertices of `component` is `actual` instead of `expected`
+  WRONG_NUMBER_OF_LOOPS, ///< `component` has `actual` loops instead of `expected`
+  WRONG_NUMBER_OF_TURNS, ///< `actual` loop turning numbers are given instead of `expected`
+  INVALID_LOOP,          ///< loop number `index` is not a closed strip of faces that never turns back
+  DEPENDENT_LOOPS,       ///< the loops of `component` do not generate its homology
+  VERTEX_NOT_INTEGER,    ///< the turns around `vertex` are not a multiple of pi/2 within 1e-6
+  LOOP_NOT_INTEGER       ///< the turns along loop number `index` are not a multiple of pi/2 within 1e-6
 };
 
 /// returns one sentence that explains `status`.
@@ -41,7 +41,8 @@ inline const char* message(const Holonomy_signature_status status)
   case Holonomy_signature_status::DUPLICATE_CONE: return "a vertex is given as a cone twice";
   case Holonomy_signature_status::NON_POSITIVE_CONE: return "a vertex has fewer than one quarter turn";
   case Holonomy_signature_status::GAUSS_BONNET_VIOLATED:
-    return "the cones of a component violate the Gauss-Bonnet theorem: 4 - k must sum up to four times the Euler characteristic";
+    return "the cones of a component violate the Gauss-Bonnet theorem: 4 - k must sum up to four times the Euler "
+           "characteristic";
   case Holonomy_signature_status::WRONG_NUMBER_OF_LOOPS: return "a component has not as many loops as twice its genus";
   case Holonomy_signature_status::WRONG_NUMBER_OF_TURNS: return "there are not as many turning numbers as loops";
   case Holonomy_signature_status::INVALID_LOOP: return "a loop is not a closed strip of faces";
@@ -62,12 +63,13 @@ struct Holonomy_signature_report {
   Holonomy_signature_status status = Holonomy_signature_status::VALID;
   Triangle_mesh_report<TriangleMesh> mesh;
   typename Traits::vertex_descriptor vertex = Traits::null_vertex();
-  typename Traits::face_descriptor face = Traits::null_face(); ///< of GAUSS_BONNET_VIOLATED, DEPENDENT_LOOPS and WRONG_NUMBER_OF_LOOPS: the first face of the component
-  std::size_t index = 0;  ///< of a cone or loop
-  int component = 0;      ///< components are numbered in the order of their first faces
+  typename Traits::face_descriptor face = Traits::
+      null_face(); ///< of GAUSS_BONNET_VIOLATED, DEPENDENT_LOOPS and WRONG_NUMBER_OF_LOOPS: the first face of the component
+  std::size_t index = 0; ///< of a cone or loop
+  int component = 0;     ///< components are numbered in the order of their first faces
   int expected = 0;
   int actual = 0;
-  double deviation = 0;   ///< largest distance, in quarter turns, of a computed number from an integer
+  double deviation = 0; ///< largest distance, in quarter turns, of a computed number from an integer
 
   bool success() const { return status == Holonomy_signature_status::VALID; }
 };

@@ -95,7 +95,10 @@ Triangle_mesh_report<TriangleMesh> check_mesh_connectivity(const TriangleMesh& m
   using Traits = boost::graph_traits<TriangleMesh>;
   using Vertex_counts = typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<int>>::const_type;
   Triangle_mesh_report<TriangleMesh> report;
-  const auto fail = [&report](const Triangle_mesh_status status) { report.status = status; return report; };
+  const auto fail = [&report](const Triangle_mesh_status status) {
+    report.status = status;
+    return report;
+  };
   if (faces(mesh).begin() == faces(mesh).end())
     return fail(Triangle_mesh_status::EMPTY);
   for (const typename Traits::face_descriptor f : faces(mesh)) {
@@ -137,7 +140,10 @@ Triangle_mesh_report<TriangleMesh> check_mesh_geometry(const TriangleMesh& mesh,
 {
   using Traits = boost::graph_traits<TriangleMesh>;
   Triangle_mesh_report<TriangleMesh> report;
-  const auto fail = [&report](const Triangle_mesh_status status) { report.status = status; return report; };
+  const auto fail = [&report](const Triangle_mesh_status status) {
+    report.status = status;
+    return report;
+  };
   for (const typename Traits::vertex_descriptor v : vertices(mesh)) {
     const auto& p = get(points, v);
     if (!std::isfinite(CGAL::to_double(p.x())) || !std::isfinite(CGAL::to_double(p.y())) ||

@@ -25,7 +25,8 @@ namespace internal {
 
 /// Hands the text of the file to `sink`, a function object that takes a `std::string_view`, piece by piece.
 template <typename Sink, typename FaceGraph, typename HalfedgeUVMap, typename VertexPointMap>
-void format_map_obj(Sink& sink, const FaceGraph& mesh, const HalfedgeUVMap uv_map, const VertexPointMap vertex_point_map)
+void format_map_obj(Sink& sink, const FaceGraph& mesh, const HalfedgeUVMap uv_map,
+                    const VertexPointMap vertex_point_map)
 {
   const Mesh_indexing<FaceGraph> indexing(mesh);
   const Uv_vertex_table table(indexing, uv_map);
@@ -61,7 +62,8 @@ void format_map_obj(Sink& sink, const FaceGraph& mesh, const HalfedgeUVMap uv_ma
 /// \param uv_map finite coordinates
 /// \param np optional: `vertex_point_map`
 /// \return the error of the operating system; converts to `false` if the file was written. Complexity: linear.
-template <typename FaceGraph, typename HalfedgeUVMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+template <typename FaceGraph, typename HalfedgeUVMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
 std::error_code write_map_obj(const std::string& filename, const FaceGraph& mesh, const HalfedgeUVMap uv_map,
                               const NamedParameters& np = CGAL::parameters::default_values())
 {

@@ -43,12 +43,13 @@ struct Closed_mesh {
   Closed_mesh(const TriangleMesh& mesh, const NamedParameters& np)
     : m_indexing(mesh),
       m_connectivity(triangulation_connectivity(m_indexing)),
-      m_geometry(triangle_geometry(m_indexing, m_connectivity,
-                                   CGAL::parameters::choose_parameter(
-                                     CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-                                     get_const_property_map(CGAL::vertex_point, mesh)))),
+      m_geometry(triangle_geometry(
+          m_indexing, m_connectivity,
+          CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+                                             get_const_property_map(CGAL::vertex_point, mesh)))),
       m_components(mesh_components(m_connectivity))
-  {}
+  {
+  }
 
   std::vector<std::vector<int>> short_loops() const
   {

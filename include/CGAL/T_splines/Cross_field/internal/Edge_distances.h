@@ -30,7 +30,8 @@ public:
       m_outgoing(mesh.outgoing_halfedges()),
       m_distance(mesh.number_of_vertices(), std::numeric_limits<double>::infinity()),
       m_entry(mesh.number_of_vertices(), null)
-  {}
+  {
+  }
 
   /// reaches the vertices by increasing distance from `source` and calls `go_on(v, distance)` for each, `source`
   /// included, until it returns `false`. Vertices at the same distance come in the order of their indices.

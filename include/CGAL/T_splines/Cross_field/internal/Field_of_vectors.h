@@ -38,12 +38,13 @@ public:
   Field_of_vectors(const TriangleMesh& mesh, const NamedParameters& np)
     : m_indexing(mesh),
       m_connectivity(triangulation_connectivity(m_indexing)),
-      m_geometry(triangle_geometry(m_indexing, m_connectivity,
-                                   CGAL::parameters::choose_parameter(
-                                     CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-                                     get_const_property_map(CGAL::vertex_point, mesh)))),
+      m_geometry(triangle_geometry(
+          m_indexing, m_connectivity,
+          CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+                                             get_const_property_map(CGAL::vertex_point, mesh)))),
       m_angle(m_connectivity.number_of_faces())
-  {}
+  {
+  }
 
   int number_of_faces() const { return m_connectivity.number_of_faces(); }
   const Mesh_indexing<TriangleMesh>& indexing() const { return m_indexing; }

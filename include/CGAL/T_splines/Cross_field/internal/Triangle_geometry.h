@@ -8,8 +8,8 @@
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/number_type_config.h>
 #include <CGAL/number_type_basic.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,11 +30,11 @@ struct Triangle_geometry {
   using Point_3 = Kernel::Point_3;
   using Vector_3 = Kernel::Vector_3;
 
-  std::vector<Vector_3> m_edge_vector;  ///< per edge: along its halfedge of even index
-  std::vector<double> m_edge_length;    ///< per edge
-  std::vector<double> m_corner_angle;   ///< per halfedge: the angle of its face at its target; 0 at border halfedges
-  std::vector<double> m_area;           ///< per face
-  std::vector<Vector_3> m_normal;       ///< per face: of length 1
+  std::vector<Vector_3> m_edge_vector; ///< per edge: along its halfedge of even index
+  std::vector<double> m_edge_length;   ///< per edge
+  std::vector<double> m_corner_angle;  ///< per halfedge: the angle of its face at its target; 0 at border halfedges
+  std::vector<double> m_area;          ///< per face
+  std::vector<Vector_3> m_normal;      ///< per face: of length 1
   double m_unit = 1;
 
   /// The vector from the source to the target of `h`.
@@ -85,8 +85,8 @@ inline void compute_face_geometry(const Triangulation_connectivity& mesh, const 
   double double_area = CGAL::approximate_sqrt(normal.squared_length());
   const double smallest = 1e-16 * longest.squared_length();
   if (!(double_area > 0)) {
-    const Vector_3 axis = std::abs(longest.x()) < 0.5 * geometry.m_edge_length[mesh.edge(h)] ? Vector_3(1, 0, 0)
-                                                                                            : Vector_3(0, 1, 0);
+    const Vector_3 axis =
+        std::abs(longest.x()) < 0.5 * geometry.m_edge_length[mesh.edge(h)] ? Vector_3(1, 0, 0) : Vector_3(0, 1, 0);
     normal = CGAL::cross_product(longest, axis);
     double_area = CGAL::approximate_sqrt(normal.squared_length());
     geometry.m_area[f] = 0.5 * smallest;

@@ -26,10 +26,10 @@ namespace internal {
 /// Unscaled they add up to its total angle; times `m_scale` they add up to 2 pi at interior vertices.
 struct Vertex_frames {
   Triangulation_connectivity m_mesh;
-  std::vector<double> m_length;   ///< per edge
-  std::vector<double> m_polar;    ///< per halfedge: its unscaled polar angle at its source
-  std::vector<double> m_total;    ///< per vertex: the sum of its corner angles
-  std::vector<double> m_scale;    ///< per vertex: 2 pi / total in the interior, 1 on the border
+  std::vector<double> m_length; ///< per edge
+  std::vector<double> m_polar;  ///< per halfedge: its unscaled polar angle at its source
+  std::vector<double> m_total;  ///< per vertex: the sum of its corner angles
+  std::vector<double> m_scale;  ///< per vertex: 2 pi / total in the interior, 1 on the border
 
   /// The angle of `h` in the tangent plane of its source.
   double direction(const int h) const { return m_polar[h] * m_scale[m_mesh.source(h)]; }

@@ -20,7 +20,8 @@ namespace internal {
 constexpr double quarter_turn = CGAL_PI / 2;
 
 /// The angles of a field, given in the frame of each face, relative to the direction of each halfedge in its face.
-inline std::vector<double> angles_to_halfedges(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry,
+inline std::vector<double> angles_to_halfedges(const Triangulation_connectivity& mesh,
+                                               const Triangle_geometry& geometry,
                                                const std::vector<double>& angle_in_face)
 {
   std::vector<double> result(mesh.number_of_halfedges(), 0.);

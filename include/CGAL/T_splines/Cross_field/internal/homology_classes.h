@@ -28,7 +28,9 @@ public:
   /// \pre `decomposition` is that of the component of `faces`.
   Primal_cycles(const Triangulation_connectivity& mesh, const Tree_cotree_decomposition& decomposition,
                 const std::vector<Index>& faces)
-    : m_mesh(mesh), m_entry(mesh.number_of_vertices(), null), m_depth(mesh.number_of_vertices(), 0)
+    : m_mesh(mesh),
+      m_entry(mesh.number_of_vertices(), null),
+      m_depth(mesh.number_of_vertices(), 0)
   {
     grow_tree(decomposition, faces);
   }

@@ -222,12 +222,12 @@ private:
 
   const Triangulation_connectivity& m_mesh;
   const std::vector<double>& m_dual_length;
-  std::vector<double> m_distance;                   // per face: to the root
-  std::vector<Index> m_depth;                       // per face: number of edges to the root
-  std::vector<Index> m_entry;                       // per face: its halfedge towards its parent
-  std::vector<Index> m_degree, m_incident_edges;    // per vertex, while the core is found
-  std::vector<Index> m_representative;              // per vertex of the core: union-find
-  std::vector<Index> m_core, m_generators;          // edges
+  std::vector<double> m_distance;                      // per face: to the root
+  std::vector<Index> m_depth;                          // per face: number of edges to the root
+  std::vector<Index> m_entry;                          // per face: its halfedge towards its parent
+  std::vector<Index> m_degree, m_incident_edges;       // per vertex, while the core is found
+  std::vector<Index> m_representative;                 // per vertex of the core: union-find
+  std::vector<Index> m_core, m_generators;             // edges
   std::vector<std::pair<double, Index>> m_loop_length; // per edge of the core
 };
 
@@ -241,8 +241,7 @@ private:
 /// Complexity: O(n log n) with n faces, and the total length of the loops.
 inline std::vector<std::vector<int>> homology_loops(const Triangulation_connectivity& mesh,
                                                     const std::vector<double>& dual_length,
-                                                    const Mesh_components& components,
-                                                    const int number_of_roots = 2)
+                                                    const Mesh_components& components, const int number_of_roots = 2)
 {
   std::vector<std::vector<int>> loops;
   std::vector<std::vector<int>> faces(components.size());

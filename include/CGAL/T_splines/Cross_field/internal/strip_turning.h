@@ -33,7 +33,8 @@ inline bool is_closed_strip(const Triangulation_connectivity& mesh, const std::v
 /// \param corner_angle per halfedge: the angle of its face at its target
 /// \pre `is_closed_strip(mesh, strip)`
 template <typename FT>
-FT strip_turning(const Triangulation_connectivity& mesh, const std::vector<int>& strip, const std::vector<FT>& corner_angle)
+FT strip_turning(const Triangulation_connectivity& mesh, const std::vector<int>& strip,
+                 const std::vector<FT>& corner_angle)
 {
   CGAL_precondition(is_closed_strip(mesh, strip));
   FT turning(0);

@@ -92,9 +92,15 @@ public:
   }
 
   /// `errno` of the first failure; 0 if there was none.
-  int error() const { return m_error; }
+  int error() const
+  {
+    return m_error;
+  }
 
-  const std::filesystem::path& path() const { return m_path; }
+  const std::filesystem::path& path() const
+  {
+    return m_path;
+  }
 
 private:
   void record_error(const bool succeeded)

@@ -23,8 +23,8 @@ namespace internal {
 
 /// The triangles of a soup, in the order of its polygons; those of one polygon follow each other.
 struct Triangle_soup {
-  std::vector<std::array<std::size_t, 3>> triangles;    ///< point indices
-  std::vector<std::array<std::size_t, 3>> corners;      ///< positions in `Polygon_soup::corners`
+  std::vector<std::array<std::size_t, 3>> triangles; ///< point indices
+  std::vector<std::array<std::size_t, 3>> corners;   ///< positions in `Polygon_soup::corners`
   std::vector<std::size_t> polygon_of_triangle;
 };
 
@@ -113,7 +113,7 @@ private:
     double best = -std::numeric_limits<double>::infinity();
     for (std::size_t j = i + 1; j < k; ++j) {
       const double quality =
-        std::min({m_quality[i * m_size + j], m_quality[j * m_size + k], triangle_quality(i, j, k) - penalty(i, k)});
+          std::min({m_quality[i * m_size + j], m_quality[j * m_size + k], triangle_quality(i, j, k) - penalty(i, k)});
       if (quality > best || j == i + 1) {
         best = quality;
         m_apex[i * m_size + k] = j;

@@ -198,7 +198,7 @@ class Final_crossings {
 public:
   struct Point {
     FT t; ///< place on the middle edge e, in the Euclidean metric: 0 at the source of halfedge 2e, 1 at the target
-    int final_halfedge; ///< it crosses the halfedge 2e from its right to its left
+    int final_halfedge;              ///< it crosses the halfedge 2e from its right to its left
     FT weight_source, weight_target; ///< of the ends of the final edge, for the point with 1 - t, t on the middle edge
   };
 
