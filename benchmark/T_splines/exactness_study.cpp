@@ -37,27 +37,25 @@ template <typename FT>
 struct Traced {
   T::Exact_map_report<Mesh> map_report;
   T::Motorcycle_graph_report report;
-  Mesh t_mesh;
-  Mesh::Property_map<Mesh::Halfedge_index, FT> knots;
-  Mesh::Property_map<Mesh::Halfedge_index, bool> corners;
+  T::T_mesh<Kernel::Point_3, FT> t_mesh;
 
   Traced(const Mesh& mesh, const UV_map uv)
-    : knots(t_mesh.add_property_map<Mesh::Halfedge_index, FT>("h:knot", FT(0)).first),
-      corners(t_mesh.add_property_map<Mesh::Halfedge_index, bool>("h:corner", false).first)
   {
     T::Seamless_map<Mesh, FT> map(mesh);
     map_report = T::make_exactly_seamless(mesh, uv, map);
     if (map_report.success()) // with FT = double, the default traits are Inexact_tracing_traits
-      report = T::trace_motorcycle_graph(map, t_mesh, knots, corners);
+      report = T::trace_motorcycle_graph(map, t_mesh);
   }
 };
 
 static bool is_same_graph(const Traced<CGAL::Exact_rational>& exact, const Traced<double>& rounded)
 {
-  for (const Mesh::Halfedge_index h : halfedges(exact.t_mesh)) {
-    const double knot = CGAL::to_double(exact.knots[h]);
-    if (exact.t_mesh.target(h) != rounded.t_mesh.target(h) || exact.t_mesh.next(h) != rounded.t_mesh.next(h) ||
-        exact.corners[h] != rounded.corners[h] || std::abs(rounded.knots[h] - knot) > knot_tolerance * knot)
+  const Mesh &a = exact.t_mesh.graph(), &b = rounded.t_mesh.graph();
+  for (const Mesh::Halfedge_index h : halfedges(a)) {
+    const double knot = CGAL::to_double(exact.t_mesh.knots()[h]);
+    if (a.target(h) != b.target(h) || a.next(h) != b.next(h) ||
+        exact.t_mesh.corners()[h] != rounded.t_mesh.corners()[h] ||
+        std::abs(rounded.t_mesh.knots()[h] - knot) > knot_tolerance * knot)
       return false;
   }
   return true;
@@ -69,11 +67,11 @@ static Verdict compare(const Traced<CGAL::Exact_rational>& exact, const Traced<d
     return Verdict::NO_MAP;
   if (!rounded.report.success())
     return Verdict::NO_T_MESH;
-  if (!T::is_admissible(rounded.t_mesh, rounded.knots, rounded.corners,
-                        T::parameters::relative_tolerance(knot_tolerance)))
+  if (!T::is_admissible(rounded.t_mesh, T::parameters::relative_tolerance(knot_tolerance)))
     return Verdict::NOT_ADMISSIBLE;
-  if (num_faces(exact.t_mesh) != num_faces(rounded.t_mesh) || num_edges(exact.t_mesh) != num_edges(rounded.t_mesh) ||
-      num_vertices(exact.t_mesh) != num_vertices(rounded.t_mesh))
+  if (num_faces(exact.t_mesh.graph()) != num_faces(rounded.t_mesh.graph()) ||
+      num_edges(exact.t_mesh.graph()) != num_edges(rounded.t_mesh.graph()) ||
+      num_vertices(exact.t_mesh.graph()) != num_vertices(rounded.t_mesh.graph()))
     return Verdict::OTHER_COUNTS;
   return is_same_graph(exact, rounded) ? Verdict::SAME : Verdict::OTHER_GRAPH;
 }
@@ -98,7 +96,7 @@ struct Study {
     ++count[static_cast<std::size_t>(verdict)];
     std::printf("%-32s %8zu triangles, %4d cones: %6zu faces, %6zu T-joints; in doubles: %s", name.c_str(),
                 static_cast<std::size_t>(num_faces(mesh)), exact.map_report.number_of_cones,
-                static_cast<std::size_t>(num_faces(exact.t_mesh)), exact.report.t_joints,
+                static_cast<std::size_t>(num_faces(exact.t_mesh.graph())), exact.report.t_joints,
                 verdict_names[static_cast<std::size_t>(verdict)]);
     if (verdict == Verdict::NO_MAP)
       std::printf(" (%s)", message(rounded.map_report.status));

@@ -22,16 +22,18 @@ namespace T_splines = CGAL::T_splines;
 using Report = T_splines::Similarity_map_report<Mesh>;
 
 static const char usage[] =
-  "usage: metric_speed MESH... [--cones] [--repeats N] [--baseline-repeats N] [--no-baseline] [--baseline-memory]\n"
-  "\n"
-  "Computes the metric of each mesh by the package and by the method of the paper (|E| unknowns, SparseLU, degeneracy\n"
-  "flips), in one process, and prints CPU seconds (best of the repeats) and the ratio; then the stages of the whole map\n"
-  "and the peak memory, each in a process of its own.\n"
-  "  --cones             take the signature from the .cones file beside the mesh, not from a smooth cross field\n"
-  "  --repeats N         of everything but the baseline (default 5)\n"
-  "  --baseline-repeats  of the baseline (default 1: it takes 10 to 60 s at 100 thousand faces)\n"
-  "  --no-baseline       leave the baseline out\n"
-  "  --baseline-memory   measure the memory of the baseline too, which runs it once more\n";
+    "usage: metric_speed MESH... [--cones] [--repeats N] [--baseline-repeats N] [--no-baseline] [--baseline-memory]\n"
+    "\n"
+    "Computes the metric of each mesh by the package and by the method of the paper (|E| unknowns, SparseLU, "
+    "degeneracy\n"
+    "flips), in one process, and prints CPU seconds (best of the repeats) and the ratio; then the stages of the whole "
+    "map\n"
+    "and the peak memory, each in a process of its own.\n"
+    "  --cones             take the signature from the .cones file beside the mesh, not from a smooth cross field\n"
+    "  --repeats N         of everything but the baseline (default 5)\n"
+    "  --baseline-repeats  of the baseline (default 1: it takes 10 to 60 s at 100 thousand faces)\n"
+    "  --no-baseline       leave the baseline out\n"
+    "  --baseline-memory   measure the memory of the baseline too, which runs it once more\n";
 
 struct Setting {
   int repeats, baseline_repeats;
@@ -43,8 +45,8 @@ static void print_head()
   std::printf("  %-50s %5s %8s %9s %9s %8s\n", "method", "iter.", "flips", "residual", "CPU s", "ratio");
 }
 
-static void print_row(const char* method, const int iterations, const std::size_t flips, const double residual, const double seconds,
-                      const double reference, const char* end)
+static void print_row(const char* method, const int iterations, const std::size_t flips, const double residual,
+                      const double seconds, const double reference, const char* end)
 {
   std::printf("  %-50s %5d %8zu %9.1e %9.3f ", method, iterations, flips, residual, seconds);
   if (reference > 0)
@@ -57,8 +59,8 @@ static void print_row(const char* method, const int iterations, const std::size_
 
 // Without a metric's checks and conversion from the face graph: what the paper's method is timed without.
 template <typename Solver, typename FlipPolicy>
-static Report metric(const Mesh& mesh, const Signature& signature, const Solver&, const FlipPolicy& policy, const int repeats,
-                     double& seconds, double& seconds_with_checks)
+static Report metric(const Mesh& mesh, const Signature& signature, const Solver&, const FlipPolicy& policy,
+                     const int repeats, double& seconds, double& seconds_with_checks)
 {
   Report report;
   seconds = seconds_with_checks = std::numeric_limits<double>::infinity();
@@ -67,9 +69,10 @@ static Report metric(const Mesh& mesh, const Signature& signature, const Solver&
     T_splines::Similarity_metric<Mesh> result;
     Solver solver;
     report = T_splines::compute_similarity_metric(
-      mesh, signature, result,
-      T_splines::parameters::flip_policy(policy,
-        CGAL::parameters::sparse_linear_solver(std::ref(solver)).visitor(Stage_clock(times)).number_of_iterations(2000)));
+        mesh, signature, result,
+        T_splines::parameters::flip_policy(policy, CGAL::parameters::sparse_linear_solver(std::ref(solver))
+                                                       .visitor(Stage_clock(times))
+                                                       .number_of_iterations(2000)));
     times.end();
     const double stage = times["similarity metric"];
     seconds = std::min(seconds, stage);
@@ -84,9 +87,10 @@ static double print_metric(const char* method, const Mesh& mesh, const Signature
 {
   double seconds, with_checks;
   const Report report = metric(mesh, signature, solver, policy, repeats, seconds, with_checks);
-  print_row(method, report.iterations, report.flips + report.delaunay_flips, report.residual, seconds, reference, message(report.status));
-  std::printf("  %50s %d factorizations, %d solves, %d halvings, %.3f s with the checks of the input\n", "", report.factorizations,
-              report.linear_iterations, report.halvings, with_checks);
+  print_row(method, report.iterations, report.flips + report.delaunay_flips, report.residual, seconds, reference,
+            message(report.status));
+  std::printf("  %50s %d factorizations, %d solves, %d halvings, %.3f s with the checks of the input\n", "",
+              report.factorizations, report.linear_iterations, report.halvings, with_checks);
   return seconds;
 }
 
@@ -95,13 +99,14 @@ static Paper_method::Report paper_method(const T_splines::internal::Metric_input
   return Paper_method(input, delaunay).run(1e-12, 2000);
 }
 
-static double print_paper_method(const char* method, const T_splines::internal::Metric_input& input, const bool delaunay,
-                                 const int repeats)
+static double print_paper_method(const char* method, const T_splines::internal::Metric_input& input,
+                                 const bool delaunay, const int repeats)
 {
   Paper_method::Report report = paper_method(input, delaunay);
   for (int i = 1; i < repeats; ++i)
     report.seconds = std::min(report.seconds, paper_method(input, delaunay).seconds);
-  print_row(method, report.iterations, report.flips + report.delaunay_flips, report.residual, report.seconds, 0., message(report.end));
+  print_row(method, report.iterations, report.flips + report.delaunay_flips, report.residual, report.seconds, 0.,
+            message(report.end));
   return report.seconds;
 }
 
@@ -113,7 +118,8 @@ static Map_times map_times(const Mesh& mesh, const Signature& signature, const S
   auto uv = refined.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
   Solver solver;
   T_splines::compute_seamless_similarity_map(
-    mesh, signature, refined, uv, CGAL::parameters::sparse_linear_solver(std::ref(solver)).visitor(Stage_clock(times)));
+      mesh, signature, refined, uv,
+      CGAL::parameters::sparse_linear_solver(std::ref(solver)).visitor(Stage_clock(times)));
   times.end();
   return Map_times(times);
 }
@@ -137,7 +143,8 @@ static void print_map_times(const Mesh& mesh, const Signature& signature, const 
 static void print_memory(const char* what, const Memory& memory, const Mesh& mesh)
 {
   const double faces = static_cast<double>(mesh.number_of_faces());
-  std::printf("  memory, %-30s %7.1f MB at the peak, %7.1f MB before: %6.0f bytes per face, %6.0f without what was there before\n",
+  std::printf("  memory, %-30s %7.1f MB at the peak, %7.1f MB before: %6.0f bytes per face, %6.0f without what was "
+              "there before\n",
               what, memory.peak / 1e6, memory.before / 1e6, memory.peak / faces, (memory.peak - memory.before) / faces);
   std::fflush(stdout);
 }
@@ -146,15 +153,17 @@ static void print_memories(const Mesh& mesh, const Signature& signature, const b
 {
   const T_splines::Eigen_spd_solver_traits<> solver;
   print_memory("metric (goal 1500 per face):", memory_in_child([&] {
-    double seconds, with_checks;
-    metric(mesh, signature, solver, T_splines::Ideal_delaunay_flips(), 1, seconds, with_checks);
-  }), mesh);
+                 double seconds, with_checks;
+                 metric(mesh, signature, solver, T_splines::Ideal_delaunay_flips(), 1, seconds, with_checks);
+               }),
+               mesh);
   print_memory("whole map:", memory_in_child([&] { map_times(mesh, signature, solver); }), mesh);
   if (includes_baseline)
     print_memory("paper's method:", memory_in_child([&] {
-      const T_splines::internal::Mesh_indexing<Mesh> indexing(mesh);
-      paper_method(T_splines::internal::Metric_input(indexing, signature, mesh.points()), false);
-    }), mesh);
+                   const T_splines::internal::Mesh_indexing<Mesh> indexing(mesh);
+                   paper_method(T_splines::internal::Metric_input(indexing, signature, mesh.points()), false);
+                 }),
+                 mesh);
 }
 
 static bool measure(const std::string& file, const Signature_source source, const Setting& setting)
@@ -165,7 +174,8 @@ static bool measure(const std::string& file, const Signature_source source, cons
   if (!read_input(file, source, mesh, signature))
     return false;
   std::printf("%s: %zu faces, genus %d, %zu cones; reading and signature %.2f s\n", name_of(file).c_str(),
-              static_cast<std::size_t>(mesh.number_of_faces()), genus_of(mesh), signature.cones().size(), cpu_seconds() - start);
+              static_cast<std::size_t>(mesh.number_of_faces()), genus_of(mesh), signature.cones().size(),
+              cpu_seconds() - start);
   print_memories(mesh, signature, setting.measures_baseline_memory);
   print_map_times(mesh, signature, setting.repeats);
   print_head();
@@ -178,8 +188,10 @@ static bool measure(const std::string& file, const Signature_source source, cons
   }
   const T_splines::Eigen_spd_solver_traits<> ldlt;
   print_metric("degeneracy flips, SPD, LDLT", mesh, signature, ldlt, T_splines::Degeneracy_flips{false}, 1, reference);
-  print_metric("degeneracy flips, intrinsic Delaunay, SPD, LDLT", mesh, signature, ldlt, T_splines::Degeneracy_flips{true}, 1, reference);
-  print_metric("ours (ideal Delaunay flips), LDLT", mesh, signature, ldlt, T_splines::Ideal_delaunay_flips(), setting.repeats, reference);
+  print_metric("degeneracy flips, intrinsic Delaunay, SPD, LDLT", mesh, signature, ldlt,
+               T_splines::Degeneracy_flips{true}, 1, reference);
+  print_metric("ours (ideal Delaunay flips), LDLT", mesh, signature, ldlt, T_splines::Ideal_delaunay_flips(),
+               setting.repeats, reference);
 #ifdef CGAL_T_SPLINES_WITH_CHOLMOD
   print_metric("ours (ideal Delaunay flips), CHOLMOD", mesh, signature, T_splines::Cholmod_spd_solver_traits(),
                T_splines::Ideal_delaunay_flips(), setting.repeats, reference);

@@ -24,14 +24,16 @@
 namespace T_splines = CGAL::T_splines;
 using Report = T_splines::Similarity_map_report<Mesh>;
 
-static const char usage[] =
-  "usage: scaling MESH... [--levels N] [--repeats N]\n"
-  "\n"
-  "Computes the metric and the whole map of each mesh and its Loop subdivisions. The cones, from the .cones file beside the\n"
-  "mesh or of a smooth cross field, stay at the vertices of the first level; the loops are computed anew. Prints CPU seconds\n"
-  "per level and solver, and the exponent p of the fit c n^p (goal 1.3, aim 1.15); peak memory of the metric beyond the meshes.\n"
-  "  --levels N   (default 4: three subdivisions)\n"
-  "  --repeats N  the best of so many is taken (default 3)\n";
+static const char usage[] = "usage: scaling MESH... [--levels N] [--repeats N]\n"
+                            "\n"
+                            "Computes the metric and the whole map of each mesh and its Loop subdivisions. The cones, "
+                            "from the .cones file beside the\n"
+                            "mesh or of a smooth cross field, stay at the vertices of the first level; the loops are "
+                            "computed anew. Prints CPU seconds\n"
+                            "per level and solver, and the exponent p of the fit c n^p (goal 1.3, aim 1.15); peak "
+                            "memory of the metric beyond the meshes.\n"
+                            "  --levels N   (default 4: three subdivisions)\n"
+                            "  --repeats N  the best of so many is taken (default 3)\n";
 
 #ifdef CGAL_T_SPLINES_WITH_CHOLMOD
 /// CHOLMOD with the order of nested dissection.
@@ -61,8 +63,8 @@ static Map_times compute_map(const Level& level, Report& report)
   auto uv = refined.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
   Solver solver;
   report = T_splines::compute_seamless_similarity_map(
-    level.mesh, level.signature, refined, uv,
-    CGAL::parameters::sparse_linear_solver(std::ref(solver)).visitor(Stage_clock(times)));
+      level.mesh, level.signature, refined, uv,
+      CGAL::parameters::sparse_linear_solver(std::ref(solver)).visitor(Stage_clock(times)));
   times.end();
   return Map_times(times);
 }
@@ -96,14 +98,15 @@ static Times measure(const Level& level, const int repeats)
 template <typename Solver>
 static void print_solver(const char* name, const std::vector<Level>& levels, const int repeats)
 {
-  std::printf("  %-28s %8s %6s %9s %9s %12s %9s %9s %12s\n", name, "faces", "iter.", "residual", "metric s", "exponent", "rest s", "map s",
-              "bytes/face");
+  std::printf("  %-28s %8s %6s %9s %9s %12s %9s %9s %12s\n", name, "faces", "iter.", "residual", "metric s", "exponent",
+              "rest s", "map s", "bytes/face");
   std::vector<std::pair<double, double>> metric, map;
   for (const Level& level : levels) {
     const Times times = measure<Solver>(level, repeats);
     metric.emplace_back(level.faces(), times.metric);
     map.emplace_back(level.faces(), times.map);
-    std::printf("  %-28s %8.0f %6d %9.1e %9.3f ", "", level.faces(), times.report.iterations, times.report.residual, times.metric);
+    std::printf("  %-28s %8.0f %6d %9.1e %9.3f ", "", level.faces(), times.report.iterations, times.report.residual,
+                times.metric);
     if (metric.size() > 1)
       std::printf("%12.2f", fitted_exponent({metric[metric.size() - 2], metric.back()}));
     else
@@ -113,7 +116,8 @@ static void print_solver(const char* name, const std::vector<Level>& levels, con
     std::fflush(stdout);
   }
   if (metric.size() > 1)
-    std::printf("  %-28s fitted exponent: metric %.3f, whole map %.3f\n", "", fitted_exponent(metric), fitted_exponent(map));
+    std::printf("  %-28s fitted exponent: metric %.3f, whole map %.3f\n", "", fitted_exponent(metric),
+                fitted_exponent(map));
 }
 
 // Loop's subdivision keeps the vertices, ahead of the new ones.
@@ -157,6 +161,7 @@ int main(const int argc, char** argv)
     return arguments.exit_code();
   bool is_complete = true;
   for (const std::string& file : arguments.files())
-    is_complete = measure(file, std::max(1, arguments.integer("--levels", 4)), arguments.integer("--repeats", 3)) && is_complete;
+    is_complete =
+        measure(file, std::max(1, arguments.integer("--levels", 4)), arguments.integer("--repeats", 3)) && is_complete;
   return is_complete ? 0 : 2;
 }

@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/Similarity_map/compute_seamless_similarity_map.h>
 #include <CGAL/T_splines/Similarity_map/compute_similarity_metric.h>
 #include <CGAL/T_splines/Similarity_map/make_exactly_seamless.h>
+#include <CGAL/T_splines/T_mesh/T_mesh.h>
 #include <CGAL/T_splines/T_mesh/trace_motorcycle_graph.h>
 
 #include <algorithm>
@@ -40,22 +41,20 @@ static const char usage[] =
 
 /// A T-mesh with all that the tracer can tell about it, knots in doubles.
 struct T_mesh_output {
-  Mesh t_mesh;
-  Mesh::Property_map<Halfedge, double> knots = t_mesh.add_property_map<Halfedge, double>("h:knot", 0.).first;
-  Mesh::Property_map<Halfedge, bool> corners = t_mesh.add_property_map<Halfedge, bool>("h:corner", false).first;
+  T_splines::T_mesh<Kernel::Point_3> t_mesh;
   Mesh::Property_map<Mesh::Edge_index, std::vector<Kernel::Point_3>> polylines =
-      t_mesh.add_property_map<Mesh::Edge_index, std::vector<Kernel::Point_3>>("e:polyline").first;
+      t_mesh.graph().add_property_map<Mesh::Edge_index, std::vector<Kernel::Point_3>>("e:polyline").first;
   std::vector<T_splines::T_mesh_place<Mesh, double>> places; // by vertex of the refined mesh
 
   template <typename Visitor>
   T_splines::Motorcycle_graph_report trace(const Seamless_map& map, const bool with_places, const Visitor& visitor)
   {
     if (!with_places)
-      return T_splines::trace_motorcycle_graph(map, t_mesh, knots, corners, CGAL::parameters::visitor(visitor));
+      return T_splines::trace_motorcycle_graph(map, t_mesh, CGAL::parameters::visitor(visitor));
     places.resize(num_vertices(map.mesh()));
     const auto place_map = boost::make_iterator_property_map(places.begin(), get(boost::vertex_index, map.mesh()));
     return T_splines::trace_motorcycle_graph(
-        map, t_mesh, knots, corners,
+        map, t_mesh,
         T_splines::parameters::vertex_place_map(
             place_map, T_splines::parameters::edge_polyline_map(polylines, CGAL::parameters::visitor(visitor))));
   }
@@ -101,7 +100,7 @@ static bool trace(const std::string& file, const Mesh& refined, const UV_map uv,
         std::fprintf(stderr, "%s: %s\n", file.c_str(), message(report.status));
         return false;
       }
-      faces = num_faces(output.t_mesh);
+      faces = num_faces(output.t_mesh.graph());
       best.tracing = std::min(best.tracing, times[Stage_times::before_the_first] + times["tracing"]);
       double& t_mesh = with_places ? best.t_mesh_with_places : best.t_mesh;
       t_mesh = std::min(t_mesh, times["T-mesh"]);

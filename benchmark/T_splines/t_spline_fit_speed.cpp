@@ -11,11 +11,14 @@
 #include <CGAL/T_splines/Similarity_map/Seamless_map.h>
 #include <CGAL/T_splines/Similarity_map/compute_seamless_similarity_map.h>
 #include <CGAL/T_splines/Similarity_map/make_exactly_seamless.h>
+#include <CGAL/T_splines/Spline/T_spline.h>
 #include <CGAL/T_splines/Spline/T_spline_surface.h>
 #include <CGAL/T_splines/Spline/fit_T_spline.h>
 #include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>
 #include <CGAL/T_splines/T_mesh/Carried_points.h>
 #include <CGAL/T_splines/T_mesh/Surface_face_size.h>
+#include <CGAL/T_splines/T_mesh/T_mesh.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/carry_surface.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
 #include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
@@ -47,11 +50,10 @@ namespace {
 namespace T = CGAL::T_splines;
 using Point_3 = Kernel::Point_3;
 using FT = CGAL::Exact_rational;
-using Knots = Mesh::Property_map<Halfedge, FT>;
-using Corners = Mesh::Property_map<Halfedge, bool>;
 using Sample = T::T_mesh_sample<Mesh, Kernel>;
 using Points = T::Carried_points<Mesh, double, Kernel::Weighted_point_3>;
-using Surface = T::T_spline_surface<Mesh, Knots, Corners, Mesh::Property_map<Vertex, Point_3>>;
+using Exact_t_mesh = T::T_mesh<Point_3, FT>;
+using Surface = T::T_spline_surface<T::Const_T_mesh_view_of<Exact_t_mesh>, Mesh::Property_map<Vertex, Point_3>>;
 using Control_points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 using Matrix = Eigen::SparseMatrix<double>;
 
@@ -70,9 +72,7 @@ const char* const usage =
     "  --repeats N    of each time of one fit the best of N is told (3)\n";
 
 struct Problem {
-  Mesh t_mesh;
-  Knots knots = t_mesh.add_property_map<Halfedge, FT>("h:knot").first;
-  Corners corners = t_mesh.add_property_map<Halfedge, bool>("h:corner").first;
+  Exact_t_mesh t_mesh;
   std::vector<Sample> samples;
 };
 
@@ -113,26 +113,26 @@ bool make_problem(const std::string& name, const T::Seamless_map<Mesh, FT>& map,
                   const double face_size, const bool is_compatible, Problem& p)
 {
   namespace P = T::parameters;
-  const auto anchors = p.t_mesh.add_property_map<Face, T::T_mesh_anchor<Mesh, FT>>("f:anchor").first;
+  const auto anchors = p.t_mesh.graph().add_property_map<Face, T::T_mesh_anchor<Mesh, FT>>("f:anchor").first;
   std::vector<T::T_mesh_place<Mesh, double>> places(map.mesh().number_of_vertices());
   const auto place_map = boost::make_iterator_property_map(places.begin(), get(boost::vertex_index, map.mesh()));
-  if (!is_success(name, T::trace_motorcycle_graph(map, p.t_mesh, p.knots, p.corners,
-                                                  P::vertex_place_map(place_map, P::face_anchor_map(anchors)))))
+  if (!is_success(
+          name, T::trace_motorcycle_graph(map, p.t_mesh, P::vertex_place_map(place_map, P::face_anchor_map(anchors)))))
     return false;
   std::vector<Sample> samples;
-  T::sample_T_mesh(map, p.t_mesh, p.knots, p.corners, anchors, place_map, std::back_inserter(samples),
+  T::sample_T_mesh(map, p.t_mesh, anchors, place_map, std::back_inserter(samples),
                    P::number_of_samples(number_of_samples));
   Points points;
   for (const Sample& s : samples)
     points.add(s.place.face, s.place.u, s.place.v, Kernel::Weighted_point_3(s.point, s.weight));
-  T::regularize_T_mesh(p.t_mesh, p.knots, p.corners, CGAL::parameters::visitor(points.visitor()));
-  T::Surface_face_size size(T::T_mesh_coordinates(p.t_mesh, p.knots, p.corners), points);
+  T::regularize_T_mesh(p.t_mesh, CGAL::parameters::visitor(points.visitor()));
+  const T::T_mesh_coordinates coordinates(p.t_mesh);
+  T::Surface_face_size size(coordinates, points);
   const auto np = CGAL::parameters::visitor(size.visitor());
-  if (!is_success(name, T::refine_T_mesh(p.t_mesh, p.knots, p.corners, size, face_size, np)) ||
-      (is_compatible && !is_success(name, T::make_spline_compatible(p.t_mesh, p.knots, p.corners, np))))
+  if (!is_success(name, T::refine_T_mesh(p.t_mesh, size, face_size, np)) ||
+      (is_compatible && !is_success(name, T::make_spline_compatible(p.t_mesh, np))))
     return false;
-  const T::T_mesh_coordinates coordinates(p.t_mesh, p.knots, p.corners);
-  for (const Face f : faces(p.t_mesh))
+  for (const Face f : faces(p.t_mesh.graph()))
     for (const Points::Point& s : points.points(f))
       p.samples.push_back({{f, std::clamp(s.u, 0., CGAL::to_double(coordinates.width(f))),
                             std::clamp(s.v, 0., CGAL::to_double(coordinates.height(f)))},
@@ -176,8 +176,8 @@ struct Plain_system {
 double difference(const Surface& surface, const Control_points& points)
 {
   double largest = 0;
-  for (const Vertex v : vertices(surface.t_mesh())) {
-    const Point_3& p = surface.t_mesh().point(v);
+  for (const Vertex v : vertices(surface.graph())) {
+    const Point_3& p = surface.graph().point(v);
     const Eigen::RowVector3d q(p.x(), p.y(), p.z());
     largest = std::max(largest, (points.row(surface.indexing().vertex_index(v)) - q).norm());
   }
@@ -193,7 +193,7 @@ std::optional<double> fit_seconds(const std::string& name, Problem& p, const dou
   const double seconds = best_cpu_seconds(repeats, [&] {
     samples = p.samples;
     is_fitted = is_fitted &&
-                is_success(name, T::fit_T_spline(p.t_mesh, p.knots, p.corners, samples, p.t_mesh.points(),
+                is_success(name, T::fit_T_spline(p.t_mesh, samples, p.t_mesh.graph().points(),
                                                  T::parameters::fairness(fairness).number_of_iterations(corrections)));
   });
   return is_fitted ? std::optional<double>(seconds) : std::nullopt;
@@ -211,7 +211,7 @@ void measure_one_fit(const std::string& name, const T::Seamless_map<Mesh, FT>& m
   Control_points direct, iterative;
   Eigen::Index iterations = 0;
   bool is_converged = false;
-  const auto plain_surface = [&] { return Surface(p.t_mesh, p.knots, p.corners, p.t_mesh.points()); };
+  const auto plain_surface = [&] { return Surface(p.t_mesh, p.t_mesh.graph().points()); };
   const double direct_seconds = best_cpu_seconds(repeats, [&] {
     const Plain_system system(plain_surface(), p.samples);
     direct = Eigen::SimplicialLDLT<Matrix>(system.matrix).solve(system.right);
@@ -239,7 +239,7 @@ void measure_one_fit(const std::string& name, const T::Seamless_map<Mesh, FT>& m
     std::printf("\n");
   };
   std::printf("one fit: %zu samples, %zu control points, %zu faces\n", p.samples.size(),
-              surface.number_of_control_points(), static_cast<std::size_t>(num_faces(p.t_mesh)));
+              surface.number_of_control_points(), static_cast<std::size_t>(num_faces(p.t_mesh.graph())));
   std::printf("  %-38s %9s %9s %12s\n", "", "seconds", "ratio", "difference");
   print("fit_T_spline()", *fair, nullptr);
   print("fit_T_spline() with corrections", *corrected, nullptr);
@@ -256,9 +256,8 @@ struct Level_clock : T::Adaptive_fit_visitor {
 
   explicit Level_clock(std::vector<double>& t) : times(&t) {}
 
-  template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename VertexPointMap>
-  void level_fitted(const T::T_spline_fit_level& /*level*/, const TMesh& /*t_mesh*/, const HalfedgeKnotMap /*knots*/,
-                    const HalfedgeCornerMap /*corners*/, const VertexPointMap /*control_points*/) const
+  template <typename TMesh>
+  void level_fitted(const T::T_spline_fit_level& /*level*/, const TMesh& /*t_mesh*/) const
   {
     times->push_back(cpu_seconds());
   }
@@ -269,27 +268,21 @@ void measure_adaptive_fit(const std::string& name, const T::Seamless_map<Mesh, F
 {
   namespace P = T::parameters;
   const double before = cpu_seconds();
-  Mesh t_mesh;
-  const auto t_mesh_knots = t_mesh.add_property_map<Halfedge, FT>("h:knot").first;
-  const auto t_mesh_corners = t_mesh.add_property_map<Halfedge, bool>("h:corner").first;
-  const auto anchors = t_mesh.add_property_map<Face, T::T_mesh_anchor<Mesh, FT>>("f:anchor").first;
-  if (!is_success(name,
-                  T::trace_motorcycle_graph(map, t_mesh, t_mesh_knots, t_mesh_corners, P::face_anchor_map(anchors))))
+  Exact_t_mesh t_mesh;
+  const auto anchors = t_mesh.graph().add_property_map<Face, T::T_mesh_anchor<Mesh, FT>>("f:anchor").first;
+  if (!is_success(name, T::trace_motorcycle_graph(map, t_mesh, P::face_anchor_map(anchors))))
     return;
-  T::Carried_surface<Mesh> surface = T::carry_surface(map, t_mesh, t_mesh_knots, t_mesh_corners, anchors);
-  T::regularize_T_mesh(t_mesh, t_mesh_knots, t_mesh_corners, CGAL::parameters::visitor(surface.visitor()));
-  Mesh spline;
-  const auto knots = spline.add_property_map<Halfedge, double>("h:knot").first;
-  const auto corners = spline.add_property_map<Halfedge, bool>("h:corner").first;
+  T::Carried_surface<Mesh> surface = T::carry_surface(map, t_mesh, anchors);
+  T::regularize_T_mesh(t_mesh, CGAL::parameters::visitor(surface.visitor()));
+  T::T_spline<Kernel> spline;
   std::vector<double> times{cpu_seconds()};
   const double t_mesh_seconds = times.front() - before;
   const auto report = T::fit_adaptive_T_spline(
-      t_mesh, t_mesh_knots, t_mesh_corners, surface, tolerance * std::max({box.x_span(), box.y_span(), box.z_span()}),
-      spline, knots, corners, spline.points(),
+      t_mesh, surface, tolerance * std::max({box.x_span(), box.y_span(), box.z_span()}), spline,
       P::maximum_number_of_control_points(map.mesh().number_of_vertices()).visitor(Level_clock(times)));
   const double end = cpu_seconds();
   if (!report.success()) {
-    std::cerr << name << ": " << describe(report, t_mesh) << '\n';
+    std::cerr << name << ": " << describe(report, t_mesh.graph()) << '\n';
     return;
   }
   std::printf("adaptive fit: tolerance %.3g %%: %s\n", 100 * tolerance, message(report.status));

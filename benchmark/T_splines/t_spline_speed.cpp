@@ -6,14 +6,13 @@
 #include "measurement.h"
 
 #include <CGAL/T_splines/IO/read_t_mesh.h>
-#include <CGAL/T_splines/Spline/T_spline_surface.h>
+#include <CGAL/T_splines/Spline/T_spline.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -29,13 +28,11 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_3 = Kernel::Point_3;
-using T_mesh = CGAL::Surface_mesh<Point_3>;
-using Face = T_mesh::Face_index;
-using Knots = T_mesh::Property_map<T_mesh::Halfedge_index, double>;
-using Corners = T_mesh::Property_map<T_mesh::Halfedge_index, bool>;
-using Points = T_mesh::Property_map<T_mesh::Vertex_index, Point_3>;
-using Surface = CGAL::T_splines::T_spline_surface<T_mesh, Knots, Corners, Points>;
-using Place = CGAL::T_splines::T_mesh_place<T_mesh, double>;
+using T_spline = CGAL::T_splines::T_spline<Kernel>;
+using Graph = T_spline::Graph;
+using Face = Graph::Face_index;
+using Surface = T_spline::Surface;
+using Place = CGAL::T_splines::T_mesh_place<Graph, double>;
 
 const char* const usage =
     "Usage: t_spline_speed [T_MESH.ply...]\n\n"
@@ -47,31 +44,30 @@ const char* const usage =
     "baseline,\n"
     "of the definition: the sum of all basis functions that act in the face by the recursion of Cox and de Boor.\n";
 
-struct Knotted_t_mesh {
-  T_mesh mesh;
-  Knots knots = mesh.add_property_map<T_mesh::Halfedge_index, double>("h:knot", 1.).first;
-  Corners corners = mesh.add_property_map<T_mesh::Halfedge_index, bool>("h:corner", true).first;
-};
-
-void put_at_random(T_mesh& mesh, CGAL::Random& random)
+void put_at_random(Graph& mesh, CGAL::Random& random)
 {
   for (const auto v : mesh.vertices())
     mesh.point(v) = Point_3(random.get_double(), random.get_double(), random.get_double());
 }
 
 /// n x n faces, of which every eighth one is split in two, along its two axes in turn.
-void make_torus(const int n, Knotted_t_mesh& t)
+void make_torus(const int n, T_spline& t)
 {
-  std::vector<T_mesh::Vertex_index> v;
+  Graph& graph = t.graph();
+  std::vector<Graph::Vertex_index> v;
   for (int i = 0; i < n * n; ++i)
-    v.push_back(t.mesh.add_vertex(Point_3(0, 0, 0)));
+    v.push_back(graph.add_vertex(Point_3(0, 0, 0)));
   const auto at = [&](const int i, const int j) { return v[n * (i % n) + j % n]; };
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j)
-      t.mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-  CGAL::T_splines::T_mesh_editor editor(t.mesh, t.knots, t.corners);
+      graph.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+  for (const auto h : graph.halfedges()) {
+    put(t.knots(), h, 1);
+    put(t.corners(), h, true);
+  }
+  CGAL::T_splines::T_mesh_editor editor(t);
   for (std::size_t f = 0; f < static_cast<std::size_t>(n) * n; f += 8)
-    editor.split_face(Face(static_cast<T_mesh::size_type>(f)), static_cast<int>(f / 8 % 2), 0.5);
+    editor.split_face(Face(static_cast<Graph::size_type>(f)), static_cast<int>(f / 8 % 2), 0.5);
 }
 
 /// The B-spline of the given degree over the knots from t[i] on, by the recursion.
@@ -106,7 +102,7 @@ Point_3 point_by_definition(const Surface& surface, const Place& place)
 std::vector<Place> random_places(const Surface& surface, const std::size_t number, CGAL::Random& random)
 {
   std::vector<Face> faces;
-  for (const Face f : surface.t_mesh().faces())
+  for (const Face f : surface.graph().faces())
     if (!surface.is_at_extraordinary_vertex(f))
       faces.push_back(f);
   std::vector<Place> places;
@@ -122,14 +118,14 @@ double million_per_second(const std::size_t number, const double seconds)
   return 1e-6 * static_cast<double>(number) / seconds;
 }
 
-void measure(const std::string& name, Knotted_t_mesh& t)
+void measure(const std::string& name, T_spline& t)
 {
   CGAL::Random random(1);
-  put_at_random(t.mesh, random);
-  const double construction = best_cpu_seconds(3, [&] { Surface(t.mesh, t.knots, t.corners, t.mesh.points()); });
-  const Surface surface(t.mesh, t.knots, t.corners, t.mesh.points());
+  put_at_random(t.graph(), random);
+  const double construction = best_cpu_seconds(3, [&] { t.surface(); });
+  const Surface surface = t.surface();
   if (!surface.is_valid()) {
-    std::cerr << name << ": " << describe(surface.report(), t.mesh) << '\n';
+    std::cerr << name << ": " << describe(surface.report(), t.graph()) << '\n';
     return;
   }
   const double compilation = best_cpu_seconds(3, [&] { CGAL::T_splines::compile_T_spline(surface); });
@@ -152,7 +148,7 @@ void measure(const std::string& name, Knotted_t_mesh& t)
 
   const double baseline = million_per_second(number / 10, definition);
   std::printf("%-20s %8zu %8zu %8zu   %7.3f %7.3f   %7.2f %7.2f %7.2f %7.2f   %6.1f %6.1f %6.1f\n", name.c_str(),
-              surface.number_of_control_points(), static_cast<std::size_t>(t.mesh.number_of_faces()),
+              surface.number_of_control_points(), static_cast<std::size_t>(t.graph().number_of_faces()),
               compiled.number_of_patches(), construction, compilation, baseline, million_per_second(number, position),
               million_per_second(number, scattered), million_per_second(number, sorted),
               million_per_second(number, position) / baseline, million_per_second(number, scattered) / baseline,
@@ -174,23 +170,23 @@ int main(const int argc, char** argv)
       "control", "", "", "seconds", "", "million points per second", "ratio to definition", "T-mesh", "points", "faces",
       "patches", "surface", "compile", "defin.", "posit.", "random", "sorted", "posit.", "random", "sorted");
   for (const int n : {70, 220}) {
-    Knotted_t_mesh t;
+    T_spline t;
     make_torus(n, t);
     measure("torus " + std::to_string(n) + " x " + std::to_string(n), t);
   }
   for (const std::string& file : files) {
-    Knotted_t_mesh t;
-    const auto report = CGAL::T_splines::read_t_mesh(file, t.mesh, t.knots, t.corners);
+    T_spline t;
+    const auto report = CGAL::T_splines::read_t_mesh(file, t);
     if (!report.success()) {
       std::cerr << file << ": " << describe(report) << '\n';
       return 2;
     }
-    const auto refinement = CGAL::T_splines::make_spline_compatible(t.mesh, t.knots, t.corners);
+    const auto refinement = CGAL::T_splines::make_spline_compatible(t);
     if (!refinement.success()) {
       std::cerr << file << ": " << message(refinement.status) << '\n';
       return 2;
     }
-    t.mesh.collect_garbage();
+    t.graph().collect_garbage();
     measure(file, t);
   }
   return EXIT_SUCCESS;

@@ -13,7 +13,6 @@
 #include <CGAL/T_splines.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -25,53 +24,54 @@
 
 namespace T = CGAL::T_splines;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Face = Mesh::Face_index;
+using Graph = T::T_spline<Kernel>::Graph;
+using Face = Graph::Face_index;
 
-void make_torus(Mesh& mesh)
+void make_torus(T::T_spline<Kernel>& spline)
 {
+  Graph& graph = spline.graph();
   const int m = 6, n = 4;
   const double tau = 2 * std::acos(-1.);
-  std::vector<Mesh::Vertex_index> v;
+  std::vector<Graph::Vertex_index> v;
   for (int i = 0; i < m; ++i)
     for (int j = 0; j < n; ++j) {
       const double a = tau * i / m, b = tau * j / n, r = 3 + std::cos(b);
-      v.push_back(mesh.add_vertex(Kernel::Point_3(r * std::cos(a), r * std::sin(a), std::sin(b))));
+      v.push_back(graph.add_vertex(Kernel::Point_3(r * std::cos(a), r * std::sin(a), std::sin(b))));
     }
   const auto at = [&](const int i, const int j) { return v[n * (i % m) + j % n]; };
   for (int i = 0; i < m; ++i)
     for (int j = 0; j < n; ++j)
-      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+      graph.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+  for (const Graph::Halfedge_index h : graph.halfedges()) {
+    put(spline.knots(), h, 1);
+    put(spline.corners(), h, true);
+  }
 }
 
 int main(int argc, char* argv[])
 {
-  Mesh mesh;
-  const auto knots = mesh.add_property_map<Mesh::Halfedge_index, double>("h:knot", 1.).first;
-  const auto corners = mesh.add_property_map<Mesh::Halfedge_index, bool>("h:corner", true).first;
-  const auto weights = mesh.add_property_map<Mesh::Vertex_index, double>("v:weight", 1.).first;
+  T::T_spline<Kernel> spline;
   const std::string file = argc > 1 ? argv[1] : "evaluate_t_spline.ply";
   if (argc > 1) {
-    const T::T_mesh_reading_report reading =
-        T::read_t_mesh(file, mesh, knots, corners, T::parameters::vertex_weight_map(weights));
+    const T::T_mesh_reading_report reading = T::read_t_mesh(file, spline);
     if (!reading.success()) {
       std::cerr << file << ": " << describe(reading) << "\n";
       return EXIT_FAILURE;
     }
   }
   else
-    make_torus(mesh);
+    make_torus(spline);
 
-  const auto control_points = T::make_control_point_map(mesh.points(), weights);
-  const T::T_spline_surface surface(mesh, knots, corners, control_points);
+  const Graph& graph = spline.graph();
+  const auto surface = spline.surface();
   if (!surface.is_valid()) {
-    std::cerr << file << ": " << describe(surface.report(), mesh) << "\n";
+    std::cerr << file << ": " << describe(surface.report(), graph) << "\n";
     return EXIT_FAILURE;
   }
   for (int i = 2; i + 2 < argc; i += 3) {
-    const Face f(static_cast<Mesh::size_type>(std::atol(argv[i])));
+    const Face f(static_cast<Graph::size_type>(std::atol(argv[i])));
     const double u = std::atof(argv[i + 1]), v = std::atof(argv[i + 2]);
-    if (!mesh.is_valid(f) || !(u >= 0 && u <= surface.width(f) && v >= 0 && v <= surface.height(f))) {
+    if (!graph.is_valid(f) || !(u >= 0 && u <= surface.width(f) && v >= 0 && v <= surface.height(f))) {
       std::cerr << "there is no point (" << argv[i + 1] << ", " << argv[i + 2] << ") of face " << argv[i] << "\n";
       return EXIT_FAILURE;
     }
@@ -84,7 +84,7 @@ int main(int argc, char* argv[])
     return EXIT_SUCCESS;
 
   const auto patches = T::compile_T_spline(surface);
-  std::cout << surface.number_of_control_points() << " control points, " << mesh.number_of_faces() << " faces, "
+  std::cout << surface.number_of_control_points() << " control points, " << graph.number_of_faces() << " faces, "
             << patches.number_of_patches() << " Bezier patches\n";
   const std::string vtu = std::filesystem::path(file).replace_extension(".vtu").string(),
                     obj = std::filesystem::path(file).replace_extension(".obj").string();

@@ -55,25 +55,23 @@ int main(int argc, char* argv[])
             << exact_report.largest_displacement << "\n";
 
   // The T-mesh, and where each vertex of the mesh lies on it.
-  Mesh t_mesh;
-  const auto knots = t_mesh.add_property_map<Mesh::Halfedge_index, FT>("h:knot").first;
-  const auto corners = t_mesh.add_property_map<Mesh::Halfedge_index, bool>("h:corner").first;
+  T::T_mesh<Kernel::Point_3, FT> t_mesh;
   const auto places = mesh.add_property_map<Mesh::Vertex_index, T::T_mesh_place<Mesh, double>>("v:place").first;
-  const auto report = T::trace_motorcycle_graph(map, t_mesh, knots, corners, T::parameters::vertex_place_map(places));
+  const auto report = T::trace_motorcycle_graph(map, t_mesh, T::parameters::vertex_place_map(places));
   if (!report.success())
     return failure(map_file, report.status);
-  std::cout << report.motorcycles << " motorcycles, " << num_faces(t_mesh) << " faces, " << report.t_joints
+  std::cout << report.motorcycles << " motorcycles, " << num_faces(t_mesh.graph()) << " faces, " << report.t_joints
             << " T-joints\n";
-  std::vector<std::size_t> number(num_faces(t_mesh), 0);
+  std::vector<std::size_t> number(num_faces(t_mesh.graph()), 0);
   std::size_t most = 0;
   for (const Mesh::Vertex_index v : vertices(mesh))
     most = std::max(most, ++number[places[v].face]);
   std::cout << "up to " << most << " vertices of the mesh in a face\n";
 
   // On the two sides of an edge the knots may differ, by a factor; all in all they fit together, exactly.
-  if (const auto admissibility = T::is_admissible(t_mesh, knots, corners); !admissibility)
+  if (const auto admissibility = T::is_admissible(t_mesh); !admissibility)
     return failure(map_file, admissibility.status);
-  if (const std::error_code error = T::write_t_mesh(t_mesh_file, t_mesh, knots, corners)) {
+  if (const std::error_code error = T::write_t_mesh(t_mesh_file, t_mesh)) {
     std::cerr << t_mesh_file << ": " << error.message() << "\n";
     return EXIT_FAILURE;
   }

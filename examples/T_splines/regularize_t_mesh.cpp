@@ -39,7 +39,7 @@ int main(int argc, char* argv[])
   const std::string map_file = argc > 1 ? argv[1] : "seamless_similarity_map.obj";
   const double relative_size = argc > 2 ? std::atof(argv[2]) : 0.1;
   const std::string t_mesh_file = argc > 3 ? argv[3] : "regularize_t_mesh.ply";
-  Mesh mesh, t_mesh;
+  Mesh mesh;
   const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   const T::Mesh_reading_report reading = T::read_map_obj(map_file, mesh, uv);
   if (!reading.success())
@@ -47,12 +47,11 @@ int main(int argc, char* argv[])
   T::Seamless_map<Mesh, FT> map(mesh);
   if (const auto report = T::make_exactly_seamless(mesh, uv, map); !report.success())
     return failure(map_file, message(report.status));
-  const auto knots = t_mesh.add_property_map<Mesh::Halfedge_index, FT>("h:knot").first;
-  const auto corners = t_mesh.add_property_map<Mesh::Halfedge_index, bool>("h:corner").first;
-  const auto anchors = t_mesh.add_property_map<Mesh::Face_index, T::T_mesh_anchor<Mesh, FT>>("f:anchor").first;
+  T::T_mesh<Kernel::Point_3, FT> t_mesh;
+  const auto anchors = t_mesh.graph().add_property_map<Mesh::Face_index, T::T_mesh_anchor<Mesh, FT>>("f:anchor").first;
   const auto places = mesh.add_property_map<Mesh::Vertex_index, T::T_mesh_place<Mesh, double>>("v:place").first;
   const auto graph = T::trace_motorcycle_graph(
-      map, t_mesh, knots, corners, T::parameters::vertex_place_map(places, T::parameters::face_anchor_map(anchors)));
+      map, t_mesh, T::parameters::vertex_place_map(places, T::parameters::face_anchor_map(anchors)));
   if (!graph.success())
     return failure(map_file, message(graph.status));
 
@@ -61,29 +60,30 @@ int main(int argc, char* argv[])
   Points points;
   for (const Mesh::Vertex_index v : vertices(mesh))
     points.add(places[v].face, places[v].u, places[v].v, mesh.point(v));
-  T::Surface_face_size face_size(T::T_mesh_coordinates(t_mesh, knots, corners), points);
-  const T::T_mesh_roots<Mesh, Mesh, FT> roots(t_mesh, anchors);
+  const T::T_mesh_coordinates coordinates(t_mesh);
+  T::Surface_face_size face_size(coordinates, points);
+  const T::T_mesh_roots<Mesh, Mesh, FT> roots(t_mesh.graph(), anchors);
   const auto with_visitor = CGAL::parameters::visitor(T::T_mesh_visitor_pair(roots, face_size.visitor()));
 
-  const auto regularization = T::regularize_T_mesh(t_mesh, knots, corners, with_visitor);
+  const auto regularization = T::regularize_T_mesh(t_mesh, with_visitor);
   std::cout << "regularized from " << regularization.faces_before << " to " << regularization.faces_after
             << " faces, the worst aspect ratio from " << regularization.worst_aspect_before << " to "
             << regularization.worst_aspect_after << "\n";
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
   const double size = relative_size * std::max({box.x_span(), box.y_span(), box.z_span()});
-  const auto refinement = T::refine_T_mesh(t_mesh, knots, corners, face_size, size, with_visitor);
+  const auto refinement = T::refine_T_mesh(t_mesh, face_size, size, with_visitor);
   if (!refinement.success())
     return failure("refinement", message(refinement.status));
-  std::cout << "refined to " << num_faces(t_mesh) << " faces\n";
-  const auto compatibility = T::make_spline_compatible(t_mesh, knots, corners, with_visitor);
+  std::cout << "refined to " << num_faces(t_mesh.graph()) << " faces\n";
+  const auto compatibility = T::make_spline_compatible(t_mesh, with_visitor);
   if (!compatibility.success())
-    return failure("spline compatibility", describe(compatibility, t_mesh));
-  std::cout << "spline compatible with " << num_faces(t_mesh) << " faces\n";
+    return failure("spline compatibility", describe(compatibility, t_mesh.graph()));
+  std::cout << "spline compatible with " << num_faces(t_mesh.graph()) << " faces\n";
 
   // New vertices have no points yet. Walking along the edges of the T-mesh finds them.
-  if (!T::place_T_mesh(map, t_mesh, knots, corners, roots))
+  if (!T::place_T_mesh(map, t_mesh, roots))
     return failure(map_file, "the T-mesh has left the surface");
-  if (const std::error_code error = T::write_t_mesh(t_mesh_file, t_mesh, knots, corners))
+  if (const std::error_code error = T::write_t_mesh(t_mesh_file, t_mesh))
     return failure(t_mesh_file, error.message());
   return EXIT_SUCCESS;
 }

@@ -36,12 +36,9 @@ int main(int argc, char* argv[])
 {
   const std::string spline_file = argc > 1 ? argv[1] : "fit_t_spline.ply";
   const std::string mesh_file = argc > 2 ? argv[2] : CGAL::data_file_path("meshes/eight.off");
-  Mesh spline, mesh;
-  const auto knots = spline.add_property_map<Mesh::Halfedge_index, double>("h:knot").first;
-  const auto corners = spline.add_property_map<Mesh::Halfedge_index, bool>("h:corner").first;
-  const auto weights = spline.add_property_map<Mesh::Vertex_index, double>("v:weight").first;
-  const T::T_mesh_reading_report spline_reading =
-      T::read_t_mesh(spline_file, spline, knots, corners, T::parameters::vertex_weight_map(weights));
+  T::T_spline<Kernel> spline;
+  Mesh mesh;
+  const T::T_mesh_reading_report spline_reading = T::read_t_mesh(spline_file, spline);
   if (!spline_reading.success()) {
     std::cerr << spline_file << ": " << describe(spline_reading) << "\n";
     return EXIT_FAILURE;
@@ -51,9 +48,9 @@ int main(int argc, char* argv[])
     std::cerr << mesh_file << ": " << describe(mesh_reading) << "\n";
     return EXIT_FAILURE;
   }
-  const T::T_spline_surface surface(spline, knots, corners, T::make_control_point_map(spline.points(), weights));
+  const auto surface = spline.surface();
   if (!surface.is_valid()) {
-    std::cerr << spline_file << ": " << describe(surface.report(), spline) << "\n";
+    std::cerr << spline_file << ": " << describe(surface.report(), spline.graph()) << "\n";
     return EXIT_FAILURE;
   }
 
@@ -79,9 +76,9 @@ int main(int argc, char* argv[])
   // Other points are measured by a function object that is made once for the mesh.
   const T::Mesh_distance mesh_distance(mesh);
   std::size_t number = 0;
-  for (const Mesh::Vertex_index v : vertices(spline))
-    number += mesh_distance(spline.point(v)) > report.maximum() ? 1 : 0;
-  std::cout << number << " of " << num_vertices(spline)
+  for (const Mesh::Vertex_index v : vertices(spline.graph()))
+    number += mesh_distance(spline.graph().point(v)) > report.maximum() ? 1 : 0;
+  std::cout << number << " of " << spline.number_of_control_points()
             << " control points are farther from the mesh than the surface is anywhere\n";
   return EXIT_SUCCESS;
 }

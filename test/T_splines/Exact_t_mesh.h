@@ -105,15 +105,16 @@ struct Exact_t_mesh {
 /// Reads graph, knots and corners of a T-mesh, and the maps that tell how it lies on the surface.
 template <typename TMesh>
 class Exact_t_mesh_reader {
-  using Traits = boost::graph_traits<TMesh>;
+  using Graph = typename TMesh::Graph;
+  using Traits = boost::graph_traits<Graph>;
   using vertex_descriptor = typename Traits::vertex_descriptor;
   using halfedge_descriptor = typename Traits::halfedge_descriptor;
   using face_descriptor = typename Traits::face_descriptor;
 
 public:
-  template <typename HalfedgeKnotMap, typename HalfedgeCornerMap>
-  Exact_t_mesh_reader(const TMesh& graph, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners) : m_graph(graph)
+  explicit Exact_t_mesh_reader(const TMesh& t_mesh) : m_graph(t_mesh.graph())
   {
+    const Graph& graph = m_graph;
     for (const auto v : CGAL::make_range(vertices(graph)))
       m_vertex.emplace(v, m_result.number_of_vertices++);
     for (const auto f : CGAL::make_range(faces(graph)))
@@ -131,8 +132,8 @@ public:
       m_result.previous.push_back(m_halfedge.at(prev(h, graph)));
       m_result.target.push_back(m_vertex.at(target(h, graph)));
       m_result.face.push_back(is_border ? Exact_t_mesh::none : m_face.at(face(h, graph)));
-      m_result.knot.push_back(is_border ? Exact(0) : Exact(get(knots, h)));
-      m_result.is_corner.push_back(!is_border && get(corners, h));
+      m_result.knot.push_back(is_border ? Exact(0) : Exact(get(t_mesh.knots(), h)));
+      m_result.is_corner.push_back(!is_border && get(t_mesh.corners(), h));
     }
     for (const auto f : CGAL::make_range(faces(graph)))
       m_result.halfedge_of_face.push_back(m_halfedge.at(halfedge(f, graph)));
@@ -196,7 +197,7 @@ private:
     return {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
   }
 
-  const TMesh& m_graph;
+  const Graph& m_graph;
   std::map<vertex_descriptor, int> m_vertex;
   std::map<halfedge_descriptor, int> m_halfedge;
   std::map<face_descriptor, int> m_face;

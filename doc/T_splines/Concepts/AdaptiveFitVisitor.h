@@ -25,17 +25,16 @@ public:
 
   /*!
   is called when a level is fitted.
-  \tparam TMesh a model of `FaceListGraph`, of the algorithm's own
+  \tparam TMesh a model of `TMesh`, of the algorithm's own
   \param level numbers and errors
-  \param t_mesh, knots, corners its spline compatible T-mesh, as `CGAL::T_splines::write_t_mesh()` and
-         `CGAL::T_splines::T_spline_surface` take it; knots are floating-point numbers
-  \param control_points a map, vertex -> point; the weights are 1
+  \param t_mesh its spline compatible T-mesh, whose points are the control points, as
+         `CGAL::T_splines::write_t_mesh()` and `CGAL::T_splines::T_spline_surface` take it; knots are floating-point
+         numbers, the weights are 1
 
-  T-mesh and maps do not last: copy or write what is to be kept.
+  It does not last: copy or write what is to be kept.
   */
-  template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename VertexPointMap>
-  void level_fitted(const CGAL::T_splines::T_spline_fit_level& level, const TMesh& t_mesh, HalfedgeKnotMap knots,
-                    HalfedgeCornerMap corners, VertexPointMap control_points) const;
+  template <typename TMesh>
+  void level_fitted(const CGAL::T_splines::T_spline_fit_level& level, const TMesh& t_mesh) const;
 
   /// @}
 };

@@ -13,7 +13,7 @@ weight are finite, the weight is not negative, and the place is in the closed re
 
 \cgalRefines `CopyConstructible`
 
-\cgalHasModel `CGAL::T_splines::T_mesh_sample<TMesh, Kernel>`
+\cgalHasModel `CGAL::T_splines::T_mesh_sample<Graph, Kernel>`
 
 \sa `CGAL::T_splines::sample_T_mesh()`
 */
@@ -24,7 +24,7 @@ public:
 
   /*!
   has the members `face`, a face of the T-mesh, and `u` and `v`, numbers in the frame of the face: a
-  `CGAL::T_splines::T_mesh_place<TMesh, FT>`. `fit_T_spline()` changes it.
+  `CGAL::T_splines::T_mesh_place<Graph, FT>`. `fit_T_spline()` changes it.
   */
   T_mesh_place place;
 

@@ -26,7 +26,7 @@ not virtual, the algorithm calls those of the type that it was given.
 class TMeshVisitor {
 public:
   /// \name Operations
-  /// `TMesh` is the type of the T-mesh, `FT` the number type of its knots.
+  /// `Graph` is the type of the T-mesh's graph, `FT` the number type of its knots.
   /// @{
 
   /*!
@@ -64,7 +64,7 @@ public:
   Everything can be read from the T-mesh as it is now, except of faces that occur as `from` and not as `to`: they
   are about to be removed.
   */
-  void faces_replaced(const std::vector<CGAL::T_splines::T_mesh_piece<TMesh, FT>>& pieces) const;
+  void faces_replaced(const std::vector<CGAL::T_splines::T_mesh_piece<Graph, FT>>& pieces) const;
 
   /// @}
 };

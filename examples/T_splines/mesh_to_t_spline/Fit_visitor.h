@@ -34,9 +34,8 @@ public:
   bool go_on() const { return interruption_flag == 0; }
   void show() { m_progress.progress(m_fraction); }
 
-  template <typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename VertexPointMap, typename TMesh>
-  void add(const CGAL::T_splines::T_spline_fit_level& level, const TMesh& t_mesh, const HalfedgeKnotMap knots,
-           const HalfedgeCornerMap corners, const VertexPointMap control_points)
+  template <typename TMesh>
+  void add(const CGAL::T_splines::T_spline_fit_level& level, const TMesh& t_mesh)
   {
     const double error = level.error.relative_maximum();
     if (m_number_of_levels == 0)
@@ -51,8 +50,7 @@ public:
       return;
     std::string& file = m_files->emplace_back();
     const auto sink = [&file](const std::string_view text) { file += text; };
-    CGAL::T_splines::internal::format_t_mesh(sink, t_mesh, knots, corners,
-                                             CGAL::parameters::vertex_point_map(control_points));
+    CGAL::T_splines::internal::format_t_mesh(sink, t_mesh, CGAL::parameters::default_values());
   }
 
 private:
@@ -79,10 +77,10 @@ public:
   void progress(double) const { m_recorder->show(); } // the fraction of one level
   bool go_on() const { return m_recorder->go_on(); }
 
-  template <typename... Level>
-  void level_fitted(const Level&... level) const
+  template <typename TMesh>
+  void level_fitted(const CGAL::T_splines::T_spline_fit_level& level, const TMesh& t_mesh) const
   {
-    m_recorder->add(level...);
+    m_recorder->add(level, t_mesh);
   }
 
 private:

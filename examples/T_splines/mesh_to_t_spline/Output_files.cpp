@@ -156,10 +156,10 @@ std::string remove_files_of_earlier_run(const std::filesystem::path& directory, 
   return error ? "cannot read " + directory.string() + ": " + error.message() : "";
 }
 
-template <typename Sink, typename Any_t_mesh>
-void format_t_mesh(Sink& sink, const Any_t_mesh& t)
+template <typename Sink, typename TMesh>
+void format_t_mesh(Sink& sink, const TMesh& t_mesh)
 {
-  CGAL::T_splines::internal::format_t_mesh(sink, t.mesh, t.knots, t.corners, CGAL::parameters::default_values());
+  CGAL::T_splines::internal::format_t_mesh(sink, t_mesh, CGAL::parameters::default_values());
 }
 
 void add_t_spline(const Results& results, Output_files& files)
@@ -231,7 +231,7 @@ std::string write_output_files(const std::filesystem::path& directory, const std
   if (results.surface)
     add_t_spline(results, files);
   else if (results.has_t_mesh)
-    files.add("t_mesh.ply", [&](auto& sink) { format_t_mesh(sink, results.t_mesh); });
+    files.add("t_mesh.ply", [&](auto& sink) { format_t_mesh(sink, results.t_mesh.t_mesh); });
   const std::string report = figures_as_json(figures);
   files.add("report.json", [&report](auto& sink) { sink(report); });
   files.add("report.html", [&](auto& sink) { write_report_page(sink, report, results); });

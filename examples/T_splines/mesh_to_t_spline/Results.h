@@ -14,20 +14,7 @@
 #include <string>
 #include <vector>
 
-using Compiled_t_spline = CGAL::T_splines::Compiled_T_spline<T_mesh, Kernel>;
-
-/// The T-mesh of a fitted surface; its points are the control points.
-struct Fitted_t_mesh {
-  T_mesh mesh;
-  T_mesh::Property_map<T_mesh::Halfedge_index, double> knots =
-      mesh.add_property_map<T_mesh::Halfedge_index, double>("h:knot").first;
-  T_mesh::Property_map<T_mesh::Halfedge_index, bool> corners =
-      mesh.add_property_map<T_mesh::Halfedge_index, bool>("h:is_corner", false).first;
-
-  Fitted_t_mesh() = default;
-  Fitted_t_mesh(const Fitted_t_mesh&) = delete; // the property maps are those of this mesh
-  Fitted_t_mesh& operator=(const Fitted_t_mesh&) = delete;
-};
+using Compiled_t_spline = CGAL::T_splines::Compiled_T_spline<Graph, Kernel>;
 
 /// What the files are made of.
 struct Results {
@@ -37,7 +24,7 @@ struct Results {
   bool has_t_mesh = false;
   Surface_t_mesh t_mesh;
   T_mesh_drawing traced, regularized; ///< empty where there is none
-  Fitted_t_mesh fitted;
+  T_spline fitted;
   std::vector<std::string> levels;          ///< the files of the T-splines from coarse to fine, if asked for
   std::optional<Compiled_t_spline> surface; ///< of `fitted`
   int resolution = 8;                       ///< of the tessellation

@@ -99,8 +99,7 @@ std::string trace(const Options& options, const Exact_map& map, Progress& progre
 {
   namespace P = CGAL::T_splines::parameters;
   const auto np = P::edge_polyline_map(t.polylines, P::face_anchor_map(t.anchors)).visitor(Progress_handle(progress));
-  const CGAL::T_splines::Motorcycle_graph_report report =
-      CGAL::T_splines::trace_motorcycle_graph(map, t.mesh, t.knots, t.corners, np);
+  const CGAL::T_splines::Motorcycle_graph_report report = CGAL::T_splines::trace_motorcycle_graph(map, t.t_mesh, np);
   progress.end_stage();
   if (!report.success())
     return message(report.status);
@@ -109,9 +108,9 @@ std::string trace(const Options& options, const Exact_map& map, Progress& progre
   figures.tracing.crossed_faces = report.crossed_faces;
   figures.tracing.predicate_calls = report.predicates.calls;
   figures.tracing.exact_predicate_calls = report.predicates.exact_calls;
-  figures.traced = figures_of(t);
+  figures.traced = figures_of(t.t_mesh);
   if (options.has_spline)
-    t.surface = CGAL::T_splines::carry_surface(map, t.mesh, t.knots, t.corners, t.anchors);
+    t.surface = CGAL::T_splines::carry_surface(map, t.t_mesh, t.anchors);
   return {};
 }
 
@@ -120,19 +119,19 @@ std::string trace(const Options& options, const Exact_map& map, Progress& progre
 std::string regularize(const Exact_map& map, Progress& progress, Surface_t_mesh& t, Regularization_figures& figures)
 {
   progress.begin_stage("regularization");
-  using Roots = CGAL::T_splines::T_mesh_roots<Mesh, T_mesh, Exact_number>;
-  Roots roots(t.mesh, t.anchors);
+  using Roots = CGAL::T_splines::T_mesh_roots<Mesh, Graph, Exact_number>;
+  Roots roots(t.t_mesh.graph(), t.anchors);
   const CGAL::T_splines::T_mesh_visitor_pair visitor(roots, t.surface.visitor());
   const CGAL::T_splines::T_mesh_regularization_report report =
-      CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots, t.corners, CGAL::parameters::visitor(visitor));
+      CGAL::T_splines::regularize_T_mesh(t.t_mesh, CGAL::parameters::visitor(visitor));
   figures.operations = {{"removals", report.removals},
                         {"flips", report.flips},
                         {"partial_removals", report.partial_removals},
                         {"closed_gaps", report.closed_gaps}};
-  figures.t_mesh = figures_of(t);
+  figures.t_mesh = figures_of(t.t_mesh);
   progress.begin_stage("placing");
   const auto np = CGAL::T_splines::parameters::edge_polyline_map(t.polylines);
-  const bool is_placed = CGAL::T_splines::place_T_mesh(map, t.mesh, t.knots, t.corners, roots, np);
+  const bool is_placed = CGAL::T_splines::place_T_mesh(map, t.t_mesh, roots, np);
   progress.end_stage();
   return is_placed ? "" : "the changed T-mesh does not fit on the surface";
 }
@@ -162,6 +161,6 @@ Failure make_t_mesh(const Options& options, Progress& progress, Results& results
   }
   results.has_t_mesh = true;
   if (!options.has_spline)
-    t.mesh.collect_garbage(); // not where there is a surface: it names faces
+    t.t_mesh.graph().collect_garbage(); // not where there is a surface: it names faces
   return {};
 }

@@ -33,17 +33,15 @@
 
 namespace {
 
-using Fit_report = CGAL::T_splines::Adaptive_fit_report<T_mesh>;
-using T_spline =
-    CGAL::T_splines::T_spline_surface<T_mesh, decltype(Fitted_t_mesh::knots), decltype(Fitted_t_mesh::corners),
-                                      T_mesh::Property_map<T_mesh::Vertex_index, Kernel::Point_3>>;
+using Fit_report = CGAL::T_splines::Adaptive_fit_report<Graph>;
+using Surface = T_spline::Surface;
 
-Failure failure_of(const Options& options, const Fit_report& report, const T_mesh& t_mesh)
+Failure failure_of(const Options& options, const Fit_report& report, const Graph& graph)
 {
   using Status = CGAL::T_splines::Adaptive_fit_status;
   if (report.success())
     return {};
-  const std::string text = describe(report, t_mesh);
+  const std::string text = describe(report, graph);
   if (report.status != Status::LIMIT_TOO_LOW)
     return {options.input_file() + ": " + text + " (--no-spline ends with the T-mesh)"};
   return {"--max-control-points " + std::to_string(*options.largest_number_of_control_points) + ": " + text, true};
@@ -65,11 +63,11 @@ void set_fit_figures(const Fit_report& report, T_spline_figures& figures)
 
 /// Fits and refines.
 Failure fit(const Options& options, Chosen_spd_solver_traits& solver, Progress& progress, const Surface_t_mesh& t,
-            Fitted_t_mesh& fitted, std::vector<std::string>& levels, T_spline_figures& figures)
+            T_spline& fitted, std::vector<std::string>& levels, T_spline_figures& figures)
 {
   namespace P = CGAL::T_splines::parameters;
   progress.begin_stage("fitting");
-  figures.faces_before_fit = t.mesh.number_of_faces();
+  figures.faces_before_fit = t.t_mesh.graph().number_of_faces();
   figures.tolerance = options.tolerance;
   figures.fairness = options.fairness.value_or(default_fairness());
   Level_recorder recorder(progress, options.tolerance, options.has_levels ? &levels : nullptr);
@@ -77,24 +75,24 @@ Failure fit(const Options& options, Chosen_spd_solver_traits& solver, Progress& 
   const auto np = P::fairness(figures.fairness, P::maximum_number_of_control_points(limit))
                       .visitor(Fit_visitor(recorder))
                       .sparse_linear_solver(std::ref(solver));
-  const Fit_report report = CGAL::T_splines::fit_adaptive_T_spline(
-      t.mesh, t.knots, t.corners, t.surface, options.tolerance * figures.longest_side, fitted.mesh, fitted.knots,
-      fitted.corners, fitted.mesh.points(), np);
+  const Fit_report report =
+      CGAL::T_splines::fit_adaptive_T_spline(t.t_mesh, t.surface, options.tolerance * figures.longest_side, fitted, np);
   progress.end_stage();
   figures.samples = report.number_of_samples;
   set_fit_figures(report, figures);
-  return failure_of(options, report, t.mesh);
+  return failure_of(options, report, t.t_mesh.graph());
 }
 
 /// The images of the edges of the T-mesh, and the edges of the control net.
-void draw_edges(const T_spline& surface, const Fitted_t_mesh& t, const int resolution, Surface_drawing& drawing)
+void draw_edges(const Surface& surface, const T_spline& spline, const int resolution, Surface_drawing& drawing)
 {
-  const CGAL::T_splines::T_mesh_coordinates coordinates(t.mesh, t.knots, t.corners);
-  for (const T_mesh::Edge_index e : t.mesh.edges()) {
-    const T_mesh::Halfedge_index any = t.mesh.halfedge(e), h = t.mesh.is_border(any) ? t.mesh.opposite(any) : any;
-    const T_mesh::Face_index f = t.mesh.face(h);
-    drawing.net_points.push_back(t.mesh.point(t.mesh.source(h)));
-    drawing.net_points.push_back(t.mesh.point(t.mesh.target(h)));
+  const Graph& graph = spline.graph();
+  const CGAL::T_splines::T_mesh_coordinates coordinates(spline);
+  for (const Graph::Edge_index e : graph.edges()) {
+    const Graph::Halfedge_index any = graph.halfedge(e), h = graph.is_border(any) ? graph.opposite(any) : any;
+    const Graph::Face_index f = graph.face(h);
+    drawing.net_points.push_back(graph.point(graph.source(h)));
+    drawing.net_points.push_back(graph.point(graph.target(h)));
     drawing.net_sizes.push_back(2);
     const auto a = coordinates.source_point(h), b = coordinates.target_point(h);
     for (int i = 0; i <= resolution; ++i) {
@@ -108,15 +106,16 @@ void draw_edges(const T_spline& surface, const Fitted_t_mesh& t, const int resol
 }
 
 /// What the page draws of a surface. About `most` triangles.
-Surface_drawing drawing_of(const T_spline& surface, const Fitted_t_mesh& t, const std::size_t most)
+Surface_drawing drawing_of(const Surface& surface, const T_spline& spline, const std::size_t most)
 {
+  const Graph& graph = spline.graph();
   Surface_drawing drawing;
-  const std::size_t faces = std::max<std::size_t>(1, t.mesh.number_of_faces());
+  const std::size_t faces = std::max<std::size_t>(1, graph.number_of_faces());
   const int resolution =
       std::clamp(static_cast<int>(std::sqrt(static_cast<double>(most) / (2. * static_cast<double>(faces)))), 3, 16);
   const auto tessellation = CGAL::T_splines::tessellate_parameter_domain(surface, resolution);
   for (const auto& place : tessellation.places) {
-    const T_spline::Jet jet = surface.jet(place.face, place.u, place.v);
+    const Surface::Jet jet = surface.jet(place.face, place.u, place.v);
     const bool is_regular = jet.normal().squared_length() > 0;
     drawing.points.push_back(jet.position);
     drawing.normals.push_back(surface.unit_normal(place.face, place.u, place.v));
@@ -126,39 +125,39 @@ Surface_drawing drawing_of(const T_spline& surface, const Fitted_t_mesh& t, cons
   for (const auto& triangle : tessellation.triangles)
     for (const std::size_t i : triangle)
       drawing.triangles.push_back(static_cast<std::uint32_t>(i));
-  draw_edges(surface, t, resolution, drawing);
-  for (const T_mesh::Vertex_index v : t.mesh.vertices())
-    if (CGAL::T_splines::is_extraordinary(v, t.mesh, t.corners)) {
-      const T_mesh::Halfedge_index h = t.mesh.halfedge(v);
-      const T_mesh::Face_index f = t.mesh.face(h);
-      const auto p = CGAL::T_splines::T_mesh_coordinates(t.mesh, t.knots, t.corners).target_point(h);
+  draw_edges(surface, spline, resolution, drawing);
+  for (const Graph::Vertex_index v : graph.vertices())
+    if (CGAL::T_splines::is_extraordinary(v, spline)) {
+      const Graph::Halfedge_index h = graph.halfedge(v);
+      const Graph::Face_index f = graph.face(h);
+      const auto p = CGAL::T_splines::T_mesh_coordinates(spline).target_point(h);
       drawing.extraordinary_points.push_back(
           surface.position(f, std::min(p.first, surface.width(f)), std::min(p.second, surface.height(f))));
     }
   return drawing;
 }
 
-void set_surface_figures(const T_spline& surface, const Results& results, T_spline_figures& figures)
+void set_surface_figures(const Results& results, T_spline_figures& figures)
 {
   figures.t_mesh = figures_of(results.fitted);
   figures.patches = results.surface->number_of_patches();
   figures.rings = results.surface->number_of_rings();
   figures.cap_deviation = results.surface->cap_deviation() / figures.longest_side;
   figures.tessellation_triangles = results.surface_drawing.triangles.size() / 3;
-  const Fitted_t_mesh& t = results.fitted;
-  for (const T_mesh::Vertex_index v : surface.t_mesh().vertices())
-    if (CGAL::T_splines::is_extraordinary(v, t.mesh, t.corners))
-      ++figures.valences[CGAL::T_splines::extended_valence(v, t.mesh, t.corners)];
+  const T_spline& spline = results.fitted;
+  for (const Graph::Vertex_index v : spline.graph().vertices())
+    if (CGAL::T_splines::is_extraordinary(v, spline))
+      ++figures.valences[CGAL::T_splines::extended_valence(v, spline)];
 }
 
-using Deviation_report = CGAL::T_splines::T_spline_deviation_report<T_mesh, Mesh>;
+using Deviation_report = CGAL::T_splines::T_spline_deviation_report<Graph, Mesh>;
 
 std::array<double, 3> coordinates_of(const CGAL::Simple_cartesian<double>::Point_3& p)
 {
   return {p.x(), p.y(), p.z()};
 }
 
-Deviation_figures::Place place_of(const CGAL::T_splines::Deviation_place<T_mesh, Mesh>& place,
+Deviation_figures::Place place_of(const CGAL::T_splines::Deviation_place<Graph, Mesh>& place,
                                   const CGAL::Simple_cartesian<double>::Point_3& point)
 {
   return {coordinates_of(point), place.place.face, place.place.u, place.place.v, place.mesh_face};
@@ -167,7 +166,7 @@ Deviation_figures::Place place_of(const CGAL::T_splines::Deviation_place<T_mesh,
 Deviation_figures figures_of(const Deviation_report& report)
 {
   const auto one_way = [](const CGAL::T_splines::One_way_deviation& way,
-                          const CGAL::T_splines::Deviation_place<T_mesh, Mesh>& place) {
+                          const CGAL::T_splines::Deviation_place<Graph, Mesh>& place) {
     return Deviation_figures::One_way{{way.relative_rms(), way.relative_maximum()},
                                       way.relative_upper_bound(),
                                       way.share_within_tolerance,
@@ -235,14 +234,14 @@ Failure make_t_spline(const Options& options, Chosen_spd_solver_traits& solver, 
   if (failure)
     return failure;
   progress.begin_stage("surface");
-  const Fitted_t_mesh& t = results.fitted;
-  const T_spline surface(t.mesh, t.knots, t.corners, t.mesh.points());
+  const T_spline& spline = results.fitted;
+  const Surface surface = spline.surface();
   if (!surface.is_valid())
-    return {options.input_file() + ": " + describe(surface.report(), t.mesh)};
+    return {options.input_file() + ": " + describe(surface.report(), spline.graph())};
   results.surface = CGAL::T_splines::compile_T_spline(surface);
   results.resolution = options.resolution;
   progress.begin_stage("drawing");
-  results.surface_drawing = drawing_of(surface, t, 400000);
+  results.surface_drawing = drawing_of(surface, spline, 400000);
   progress.begin_stage("deviation");
   failure = measure(options, mesh, *results.surface, results.surface_drawing, figures);
   if (failure)
@@ -250,6 +249,6 @@ Failure make_t_spline(const Options& options, Chosen_spd_solver_traits& solver, 
   progress.begin_stage("self-intersections");
   check_self_intersections(options, mesh, *results.surface, figures);
   progress.end_stage();
-  set_surface_figures(surface, results, figures);
+  set_surface_figures(results, figures);
   return failure;
 }

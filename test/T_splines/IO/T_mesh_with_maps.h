@@ -35,18 +35,23 @@ struct T_mesh_with_maps {
   using Halfedge = typename boost::graph_traits<Graph>::halfedge_descriptor;
   using Vertex = typename boost::graph_traits<Graph>::vertex_descriptor;
 
+  using Knot_map = boost::associative_property_map<std::map<Halfedge, FT>>;
+  using Corner_map = boost::associative_property_map<std::map<Halfedge, bool>>;
+
   Graph graph;
   mutable std::map<Halfedge, FT> knots;
   mutable std::map<Halfedge, bool> corners;
   mutable std::map<Vertex, double> weights;
 
-  auto knot_map() const { return boost::make_assoc_property_map(knots); }
-  auto corner_map() const { return boost::make_assoc_property_map(corners); }
+  Knot_map knot_map() const { return Knot_map(knots); }
+  Corner_map corner_map() const { return Corner_map(corners); }
+  T::T_mesh_view<Graph, Knot_map, Corner_map> view() { return {graph, knot_map(), corner_map()}; }
+  T::T_mesh_view<const Graph, Knot_map, Corner_map> view() const { return {graph, knot_map(), corner_map()}; }
   auto weight_map() const { return boost::make_assoc_property_map(weights); }
 
   T::T_mesh_reading_report read(const std::string& filename)
   {
-    return T::read_t_mesh(filename, graph, knot_map(), corner_map(), T::parameters::vertex_weight_map(weight_map()));
+    return T::read_t_mesh(filename, view(), T::parameters::vertex_weight_map(weight_map()));
   }
 
   /// What the writer makes of it.
@@ -54,7 +59,7 @@ struct T_mesh_with_maps {
   {
     std::ostringstream out;
     const auto np = T::parameters::vertex_weight_map(weight_map());
-    return T::write_t_mesh(out, graph, knot_map(), corner_map(), np) ? "failed" : out.str();
+    return T::write_t_mesh(out, view(), np) ? "failed" : out.str();
   }
 };
 

@@ -39,7 +39,7 @@ std::vector<int> valences(const T_mesh& t)
 {
   std::vector<int> result;
   for (const auto v : CGAL::make_range(vertices(t.graph)))
-    result.push_back(T::extended_valence(v, t.graph, t.corner_map()));
+    result.push_back(T::extended_valence(v, t.view()));
   return result;
 }
 
@@ -124,7 +124,7 @@ TEMPLATE_TEST_CASE("a T-mesh file that is read and written is the same, byte by 
     REQUIRE(report.success());
     CHECK(report.number_of_vertices == vertices_of(t.graph));
     CHECK(report.number_of_faces == faces_of(t.graph));
-    CHECK(T::is_admissible(t.graph, t.knot_map(), t.corner_map()));
+    CHECK(T::is_admissible(t.view()));
     CHECK(t.text() == file_content(entry.path().string()));
   }
 }
@@ -142,7 +142,7 @@ TEMPLATE_TEST_CASE("links and frames are those of the file", "", Surface_mesh, P
   CHECK(valences(border) == std::vector<int>{1, 1, 2, 4, 2, 1, 2, 1});
 
   // Each face begins at the origin of its frame, and is as wide and as high as the lists say.
-  const T::T_mesh_coordinates coordinates(torus.graph, torus.knot_map(), torus.corner_map());
+  const T::T_mesh_coordinates coordinates(torus.view());
   std::vector<double> sizes;
   for (const auto f : CGAL::make_range(faces(torus.graph))) {
     CHECK(get(torus.corner_map(), prev(halfedge(f, torus.graph), torus.graph)));
@@ -189,7 +189,7 @@ TEST_CASE("a file that is cut off anywhere is refused")
   for (std::size_t length = 0; length + 2 < content.size(); ++length) { // without its last line feed it is complete
     T_mesh_with_maps<Surface_mesh> t;
     std::istringstream in(content.substr(0, length));
-    const T::T_mesh_reading_report report = T::read_t_mesh(in, t.graph, t.knot_map(), t.corner_map());
+    const T::T_mesh_reading_report report = T::read_t_mesh(in, t.view());
     CAPTURE(length, describe(report));
     CHECK_FALSE(report.success());
     CHECK(t.graph.number_of_vertices() == 0);
@@ -203,7 +203,7 @@ TEST_CASE("no file, a directory, a stream that failed")
   CHECK(t.read(good).status == Status::CANNOT_OPEN);
   std::istringstream in("ply\n");
   in.setstate(std::ios::failbit);
-  CHECK(T::read_t_mesh(in, t.graph, t.knot_map(), t.corner_map()).status == Status::CANNOT_OPEN);
+  CHECK(T::read_t_mesh(in, t.view()).status == Status::CANNOT_OPEN);
 }
 
 TEST_CASE("other names of the types, comments and other ends of lines are accepted")
@@ -221,7 +221,7 @@ TEST_CASE("other names of the types, comments and other ends of lines are accept
   T_mesh_with_maps<Surface_mesh> t;
   std::istringstream in(content);
   const auto np = T::parameters::vertex_weight_map(t.weight_map());
-  REQUIRE(T::read_t_mesh(in, t.graph, t.knot_map(), t.corner_map(), np).success());
+  REQUIRE(T::read_t_mesh(in, t.view(), np).success());
   CHECK(t.text() == file_content(good + "cube.ply"));
 }
 
@@ -234,7 +234,7 @@ TEST_CASE("the tolerance of the knots is the caller's")
     T_mesh_with_maps<Surface_mesh> t;
     std::istringstream in(content);
     const auto np = T::parameters::relative_tolerance(tolerance);
-    CHECK(T::read_t_mesh(in, t.graph, t.knot_map(), t.corner_map(), np).success() == (tolerance > 1e-6));
+    CHECK(T::read_t_mesh(in, t.view(), np).success() == (tolerance > 1e-6));
   }
 }
 
@@ -242,6 +242,6 @@ TEST_CASE("knots are read into exact numbers as they stand")
 {
   T_mesh_with_maps<Surface_mesh, CGAL::Exact_rational> t;
   REQUIRE(t.read(good + "scaled_torus.ply").success());
-  CHECK(T::is_admissible(t.graph, t.knot_map(), t.corner_map()));
+  CHECK(T::is_admissible(t.view()));
   CHECK(t.text() == file_content(good + "scaled_torus.ply"));
 }

@@ -85,7 +85,7 @@ TEMPLATE_TEST_CASE("doubles survive writing and reading, bit by bit", "", Surfac
     REQUIRE(t.read(good + name).success());
     randomize(t);
     const auto np = T::parameters::vertex_weight_map(t.weight_map());
-    REQUIRE_FALSE(T::write_t_mesh(file, t.graph, t.knot_map(), t.corner_map(), np));
+    REQUIRE_FALSE(T::write_t_mesh(file, t.view(), np));
     const T::T_mesh_reading_report report = read.read(file);
     CAPTURE(name, describe(report));
     REQUIRE(report.success());
@@ -109,10 +109,9 @@ TEST_CASE("the frames of the faces do not depend on the halfedge of the bottom s
   CHECK(t.text() != text);
   const Temporary_directory directory;
   T_mesh_with_maps<Surface_mesh> read;
-  REQUIRE_FALSE(T::write_t_mesh(directory.file("t_mesh.ply"), t.graph, t.knot_map(), t.corner_map()));
+  REQUIRE_FALSE(T::write_t_mesh(directory.file("t_mesh.ply"), t.view()));
   REQUIRE(read.read(directory.file("t_mesh.ply")).success());
-  const T::T_mesh_coordinates before(t.graph, t.knot_map(), t.corner_map()),
-      after(read.graph, read.knot_map(), read.corner_map());
+  const T::T_mesh_coordinates before(t.view()), after(read.view());
   const auto first_face = *faces(read.graph).begin();
   CHECK(before.width(turned) == 1);
   CHECK(after.width(first_face) == before.width(turned));
@@ -129,7 +128,7 @@ TEST_CASE("exact knots are rounded, each by itself, and are admissible up to rou
   for (auto& [h, knot] : t.knots)
     knot /= 3 + 4 * static_cast<int>(static_cast<std::size_t>(t.graph.face(h)));
   const Temporary_directory directory;
-  REQUIRE_FALSE(T::write_t_mesh(directory.file("t_mesh.ply"), t.graph, t.knot_map(), t.corner_map()));
+  REQUIRE_FALSE(T::write_t_mesh(directory.file("t_mesh.ply"), t.view()));
   REQUIRE(read.read(directory.file("t_mesh.ply")).success());
   for (const auto f : faces(t.graph)) {
     auto h = halfedge(f, t.graph), g = halfedge(f, read.graph); // faces are numbered alike
@@ -151,7 +150,7 @@ TEST_CASE("other points and weights than the graph's own can be written")
   }
   const Temporary_directory directory;
   const auto np = T::parameters::vertex_weight_map(t.weight_map(), CGAL::parameters::vertex_point_map(points));
-  REQUIRE_FALSE(T::write_t_mesh(directory.file("t_mesh.ply"), t.graph, t.knot_map(), t.corner_map(), np));
+  REQUIRE_FALSE(T::write_t_mesh(directory.file("t_mesh.ply"), t.view(), np));
   REQUIRE(read.read(directory.file("t_mesh.ply")).success());
   for (const auto v : vertices(read.graph)) {
     CHECK(read.graph.point(v) == Kernel::Point_3(7, 8, 9));
@@ -164,10 +163,9 @@ TEST_CASE("a T-mesh file that cannot be written leaves nothing behind and leaves
   T_mesh_with_maps<Surface_mesh> t;
   REQUIRE(t.read(good + "cube.ply").success());
   const Temporary_directory directory;
-  CHECK(T::write_t_mesh(directory.file("no_such_directory/t.ply"), t.graph, t.knot_map(), t.corner_map()) ==
-        std::errc::no_such_file_or_directory);
+  CHECK(T::write_t_mesh(directory.file("no_such_directory/t.ply"), t.view()) == std::errc::no_such_file_or_directory);
   std::filesystem::create_directories(directory.file("directory.ply/inside"));
-  CHECK(T::write_t_mesh(directory.file("directory.ply"), t.graph, t.knot_map(), t.corner_map()));
+  CHECK(T::write_t_mesh(directory.file("directory.ply"), t.view()));
   CHECK(std::filesystem::is_directory(directory.file("directory.ply/inside")));
   int number_of_entries = 0;
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(directory.path()))
@@ -176,5 +174,5 @@ TEST_CASE("a T-mesh file that cannot be written leaves nothing behind and leaves
 
   Full_buffer full;
   std::ostream out(&full);
-  CHECK(T::write_t_mesh(out, t.graph, t.knot_map(), t.corner_map()) == std::io_errc::stream);
+  CHECK(T::write_t_mesh(out, t.view()) == std::io_errc::stream);
 }

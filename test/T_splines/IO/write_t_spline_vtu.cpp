@@ -3,7 +3,7 @@
 
 #include <CGAL/T_splines/IO/write_t_spline_vtu.h>
 
-#include <CGAL/T_splines/Spline/T_spline_surface.h>
+#include <CGAL/T_splines/Spline/T_spline.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
 
 #include "IO/Temporary_directory.h"
@@ -30,21 +30,16 @@ namespace T = CGAL::T_splines;
 
 /// A torus of squares with random control points and weights.
 struct Random_torus {
-  Mesh mesh;
-  Mesh::Property_map<Mesh::Halfedge_index, double> knots =
-      mesh.add_property_map<Mesh::Halfedge_index, double>("h:knot", 1.).first;
-  Mesh::Property_map<Mesh::Halfedge_index, bool> corners =
-      mesh.add_property_map<Mesh::Halfedge_index, bool>("h:corner", true).first;
-  Mesh::Property_map<Mesh::Vertex_index, double> weights =
-      mesh.add_property_map<Mesh::Vertex_index, double>("v:weight", 1.).first;
+  T::T_spline<Kernel> spline;
 
   Random_torus()
   {
     constexpr int n = 5;
     CGAL::Random random(1);
+    Mesh& mesh = spline.graph();
     for (int i = 0; i < n * n; ++i) {
       const auto v = mesh.add_vertex(Kernel::Point_3(random.get_double(), random.get_double(), random.get_double()));
-      weights[v] = random.get_double(0.5, 2);
+      spline.weights()[v] = random.get_double(0.5, 2);
     }
     const auto at = [](const int i, const int j) {
       return Mesh::Vertex_index(static_cast<Mesh::size_type>(n * (i % n) + j % n));
@@ -52,13 +47,13 @@ struct Random_torus {
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j)
         mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+    for (const auto h : mesh.halfedges()) {
+      put(spline.knots(), h, 1);
+      put(spline.corners(), h, true);
+    }
   }
 
-  auto compiled() const
-  {
-    const auto control_points = T::make_control_point_map(mesh.points(), weights);
-    return T::compile_T_spline(T::T_spline_surface(mesh, knots, corners, control_points));
-  }
+  auto compiled() const { return T::compile_T_spline(spline.surface()); }
 };
 
 /// The numbers of the array whose tag contains `name`.

@@ -5,6 +5,7 @@
 #define T_SPLINES_TEST_SPLINE_CARRIED_BOX_H
 
 #include <CGAL/T_splines/Similarity_map/make_exactly_seamless.h>
+#include <CGAL/T_splines/T_mesh/T_mesh.h>
 #include <CGAL/T_splines/T_mesh/carry_surface.h>
 #include <CGAL/T_splines/T_mesh/trace_motorcycle_graph.h>
 
@@ -27,13 +28,10 @@ struct Carried_box {
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
   using FT = CGAL::Exact_rational;
 
-  Mesh mesh, t_mesh;
+  Mesh mesh;
   Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv =
       mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
-  Mesh::Property_map<Mesh::Halfedge_index, FT> knots =
-      t_mesh.add_property_map<Mesh::Halfedge_index, FT>("h:knot").first;
-  Mesh::Property_map<Mesh::Halfedge_index, bool> corners =
-      t_mesh.add_property_map<Mesh::Halfedge_index, bool>("h:corner").first;
+  CGAL::T_splines::T_mesh<Kernel::Point_3, FT> t_mesh;
   CGAL::T_splines::Carried_surface<Mesh> surface;
 
   /// \param bend where a point of the cube goes
@@ -60,11 +58,10 @@ struct Carried_box {
     CGAL::T_splines::Seamless_map<Mesh, FT> map(mesh);
     REQUIRE(CGAL::T_splines::make_exactly_seamless(mesh, uv, map).success());
     const auto anchors =
-        t_mesh.add_property_map<Mesh::Face_index, CGAL::T_splines::T_mesh_anchor<Mesh, FT>>("f:anchor").first;
-    REQUIRE(CGAL::T_splines::trace_motorcycle_graph(map, t_mesh, knots, corners,
-                                                    CGAL::T_splines::parameters::face_anchor_map(anchors))
+        t_mesh.graph().add_property_map<Mesh::Face_index, CGAL::T_splines::T_mesh_anchor<Mesh, FT>>("f:anchor").first;
+    REQUIRE(CGAL::T_splines::trace_motorcycle_graph(map, t_mesh, CGAL::T_splines::parameters::face_anchor_map(anchors))
                 .success());
-    surface = CGAL::T_splines::carry_surface(map, t_mesh, knots, corners, anchors);
+    surface = CGAL::T_splines::carry_surface(map, t_mesh, anchors);
   }
   Carried_box(const Carried_box&) = delete;
 

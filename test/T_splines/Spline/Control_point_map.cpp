@@ -56,8 +56,7 @@ TEMPLATE_TEST_CASE("control points may be points, weighted points, or points and
   const auto point_map = boost::make_assoc_property_map(points);
   const auto map = make_control_point_map(point_map, boost::make_assoc_property_map(weights));
   const auto surface = t.surface();
-  const T_spline_surface<TestType, typename Mesh::Knot_map, typename Mesh::Corner_map, decltype(map)> other(
-      t.mesh, t.knots(), t.corners(), map);
+  const T_spline_surface other(t, map);
   REQUIRE((surface.is_valid() && other.is_valid()));
   for (const auto f : faces(t.mesh)) {
     const double u = surface.width(f) * random.get_double(), v = surface.height(f) * random.get_double();
@@ -67,8 +66,7 @@ TEMPLATE_TEST_CASE("control points may be points, weighted points, or points and
   for (const auto v : vertices(t.mesh))
     t.set_control(v, points[v], 1);
   const auto unweighted = t.surface();
-  const T_spline_surface<TestType, typename Mesh::Knot_map, typename Mesh::Corner_map, decltype(point_map)> of_points(
-      t.mesh, t.knots(), t.corners(), point_map);
+  const T_spline_surface of_points(t, point_map);
   REQUIRE((unweighted.is_valid() && of_points.is_valid()));
   CHECK(of_points.number_of_control_points() == num_vertices(t.mesh));
   for (const auto f : faces(t.mesh)) {

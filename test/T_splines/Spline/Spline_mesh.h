@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Spline/T_spline_surface.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
 
 #include "T_mesh/test_t_meshes.h"
@@ -38,9 +39,9 @@ using test_t_meshes::Faces;
 
 // \tparam FT_ of knots
 // \tparam Kernel_ of control points and of the surface
-template <typename FT_, typename Kernel_ = Kernel, typename TMesh_ = Surface_mesh>
-class Spline_mesh : public test_t_meshes::T_mesh<TMesh_, FT_> {
-  using Base = test_t_meshes::T_mesh<TMesh_, FT_>;
+template <typename FT_, typename Kernel_ = Kernel, typename Graph_ = Surface_mesh>
+class Spline_mesh : public test_t_meshes::T_mesh<Graph_, FT_> {
+  using Base = test_t_meshes::T_mesh<Graph_, FT_>;
 
 public:
   using FT = FT_;
@@ -50,15 +51,14 @@ public:
   using vertex_descriptor = typename Base::vertex_descriptor;
   using Controls = std::unordered_map<vertex_descriptor, Control_point, boost::hash<vertex_descriptor>>;
   using Control_map = boost::associative_property_map<Controls>;
-  using Surface =
-      CGAL::T_splines::T_spline_surface<TMesh_, typename Base::Knot_map, typename Base::Corner_map, Control_map>;
-  using Editor = CGAL::T_splines::T_mesh_editor<TMesh_, typename Base::Knot_map, typename Base::Corner_map>;
+  using Surface = CGAL::T_splines::T_spline_surface<CGAL::T_splines::Const_T_mesh_view_of<Base>, Control_map>;
+  using Editor = CGAL::T_splines::T_mesh_editor<CGAL::T_splines::T_mesh_view_of<Base>>;
 
   explicit Spline_mesh(const Faces<FT>& faces) : Base(faces) {}
 
   void split_randomly(const int number, CGAL::Random& random)
   {
-    Editor editor(this->mesh, this->knots(), this->corners());
+    Editor editor(*this);
     for (int i = 0; i < number; ++i) {
       const auto range = faces(this->mesh);
       const std::vector<typename Base::face_descriptor> list(range.begin(), range.end());
@@ -69,10 +69,9 @@ public:
     }
   }
 
-  CGAL::T_splines::Spline_refinement_report<TMesh_> make_spline_compatible()
+  CGAL::T_splines::Spline_refinement_report<Graph_> make_spline_compatible()
   {
-    return CGAL::T_splines::make_spline_compatible(this->mesh, this->knots(), this->corners(),
-                                                   CGAL::parameters::number_of_iterations(std::size_t(2000)));
+    return CGAL::T_splines::make_spline_compatible(*this, CGAL::parameters::number_of_iterations(std::size_t(2000)));
   }
 
   // With coordinates in [-1/2, 1/2] and weights in [1/2, 2] of few bits.
@@ -92,7 +91,7 @@ public:
   const Control_point& control(const vertex_descriptor v) const { return m_controls.at(v); }
   Control_map controls() { return Control_map(m_controls); }
 
-  Surface surface() { return Surface(this->mesh, this->knots(), this->corners(), controls()); }
+  Surface surface() { return Surface(*this, controls()); }
 
 private:
   Controls m_controls;
@@ -143,7 +142,7 @@ template <typename FT>
 Faces<FT> refined(const Faces<FT>& faces_given, const FT& length)
 {
   Spline_mesh<FT> t(faces_given);
-  typename Spline_mesh<FT>::Editor editor(t.mesh, t.knots(), t.corners());
+  typename Spline_mesh<FT>::Editor editor(t);
   for (const auto f : t.face_list) {
     std::vector<typename Spline_mesh<FT>::face_descriptor> parts{f};
     const FT size = (std::max)(editor.coordinates().width(f), editor.coordinates().height(f)) * length;

@@ -3,7 +3,7 @@
 
 #include <CGAL/T_splines/Spline/T_spline_closest_point.h>
 
-#include <CGAL/T_splines/Spline/Control_point_map.h>
+#include <CGAL/T_splines/Spline/T_spline.h>
 #include <CGAL/T_splines/Spline/T_spline_surface.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
 
@@ -11,6 +11,7 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Random.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/subdivision_method_3.h>
@@ -47,31 +48,22 @@ double distance(const Point_3& a, const Point_3& b)
   return std::sqrt(CGAL::squared_distance(a, b));
 }
 
-// A quad mesh with unit knots and with weights.
-struct Quad_mesh {
-  using Knots = Mesh::Property_map<Mesh::Halfedge_index, double>;
-  using Corners = Mesh::Property_map<Mesh::Halfedge_index, bool>;
-  using Weights = Mesh::Property_map<Mesh::Vertex_index, double>;
-  using Points = Mesh::Property_map<Mesh::Vertex_index, Point_3>;
-  using Controls = CGAL::T_splines::Control_point_map<Points, Weights>;
-  using Surface = CGAL::T_splines::T_spline_surface<Mesh, Knots, Corners, Controls>;
+using T_spline = CGAL::T_splines::T_spline<Kernel>;
 
-  explicit Quad_mesh(const Mesh& m) : mesh(m) {}
-
-  Weights weights() { return mesh.add_property_map<Mesh::Vertex_index, double>("weight", 1).first; }
-
-  Surface surface()
-  {
-    const Knots knots = mesh.add_property_map<Mesh::Halfedge_index, double>("knot", 1).first;
-    const Corners corners = mesh.add_property_map<Mesh::Halfedge_index, bool>("corner", true).first;
-    return Surface(mesh, knots, corners, make_control_point_map(mesh.points(), weights()));
+// A quad mesh with unit knots.
+T_spline with_unit_knots(const Mesh& mesh)
+{
+  T_spline spline;
+  CGAL::copy_face_graph(mesh, spline.graph());
+  for (const auto h : halfedges(spline.graph())) {
+    put(spline.knots(), h, 1);
+    put(spline.corners(), h, true);
   }
-
-  Mesh mesh;
-};
+  return spline;
+}
 
 // A smooth surface with two vertices of the valence `sides`, and 2 * sides of valence 3.
-Quad_mesh prism(const int sides)
+T_spline prism(const int sides)
 {
   Mesh mesh;
   std::vector<Mesh::Vertex_index> bottom, top, top_reversed;
@@ -88,29 +80,29 @@ Quad_mesh prism(const int sides)
   std::reverse(bottom.begin(), bottom.end());
   mesh.add_face(bottom);
   CGAL::Subdivision_method_3::CatmullClark_subdivision(mesh, CGAL::parameters::number_of_iterations(2));
-  return Quad_mesh(mesh);
+  return with_unit_knots(mesh);
 }
 
 // An open surface, a hilly square.
-Quad_mesh hills()
+T_spline hills()
 {
   Mesh mesh;
   CGAL::make_grid(9, 7, mesh, [](const std::size_t i, const std::size_t j) {
     const double x = i / 9., y = j / 7.;
     return Point_3(x + 0.02 * std::sin(5 * y), y, 0.1 * std::sin(4 * x) * std::cos(3 * y));
   });
-  return Quad_mesh(mesh);
+  return with_unit_knots(mesh);
 }
 
-std::vector<std::pair<std::string, Quad_mesh>> smooth_surfaces()
+std::vector<std::pair<std::string, T_spline>> smooth_surfaces()
 {
-  std::vector<std::pair<std::string, Quad_mesh>> result{{"triangular prism", prism(3)},
-                                                        {"pentagonal prism", prism(5)},
-                                                        {"nonagonal prism", prism(9)},
-                                                        {"hills", hills()}};
+  std::vector<std::pair<std::string, T_spline>> result{{"triangular prism", prism(3)},
+                                                       {"pentagonal prism", prism(5)},
+                                                       {"nonagonal prism", prism(9)},
+                                                       {"hills", hills()}};
   CGAL::Random random(1);
-  Quad_mesh rational = prism(6);
-  for (const auto v : vertices(rational.mesh))
+  T_spline rational = prism(6);
+  for (const auto v : vertices(rational.graph()))
     rational.weights()[v] = random.get_double(0.8, 1.25);
   result.emplace_back("rational hexagonal prism", rational);
   return result;
@@ -120,7 +112,7 @@ template <typename Surface>
 Place random_place(const Surface& surface, CGAL::Random& random)
 {
   const auto f =
-      *std::next(faces(surface.t_mesh()).begin(), random.get_int(0, static_cast<int>(num_faces(surface.t_mesh()))));
+      *std::next(faces(surface.graph()).begin(), random.get_int(0, static_cast<int>(num_faces(surface.graph()))));
   return {f, random.get_double(0, surface.width(f)), random.get_double(0, surface.height(f))};
 }
 
@@ -135,7 +127,7 @@ public:
   Samples(const Surface& surface, const int n)
   {
     std::vector<Point_3> cells((n + 1) * (n + 1));
-    for (const auto f : faces(surface.t_mesh())) {
+    for (const auto f : faces(surface.graph())) {
       for (int j = 0; j <= n; ++j)
         for (int i = 0; i <= n; ++i)
           cells[j * (n + 1) + i] =
@@ -186,8 +178,8 @@ double slope(const Surface& surface, const Point_3& p, const Projection& x)
   const auto along = [&](const Vector_3& d, const double value, const double end) {
     const double length = std::sqrt(d.squared_length()), g = length > 0 ? d * difference / length : 0;
     bool has_border = false;
-    for (const auto h : CGAL::halfedges_around_face(halfedge(x.face, surface.t_mesh()), surface.t_mesh()))
-      has_border = has_border || CGAL::is_border(opposite(h, surface.t_mesh()), surface.t_mesh());
+    for (const auto h : CGAL::halfedges_around_face(halfedge(x.face, surface.graph()), surface.graph()))
+      has_border = has_border || CGAL::is_border(opposite(h, surface.graph()), surface.graph());
     return has_border && ((value == 0 && g > 0) || (value == end && g < 0)) ? 0 : std::abs(g);
   };
   return (std::max)(along(jet.du, x.u, surface.width(x.face)), along(jet.dv, x.v, surface.height(x.face)));
@@ -213,7 +205,7 @@ TEST_CASE("points of a surface are their own closest points", "[T_spline_closest
     INFO(example.first);
     const auto surface = example.second.surface();
     REQUIRE(surface.is_valid());
-    const T_spline_closest_point<Quad_mesh::Surface> closest(surface);
+    const T_spline_closest_point<T_spline::Surface> closest(surface);
     for (int i = 0; i < 500; ++i) {
       const Place place = random_place(surface, random);
       const Point_3 p = surface.position(place.face, place.u, place.v);
@@ -232,7 +224,7 @@ TEST_CASE("points on a short normal come back to its foot", "[T_spline_closest_p
   for (auto& example : smooth_surfaces()) {
     INFO(example.first);
     const auto surface = example.second.surface();
-    const T_spline_closest_point<Quad_mesh::Surface> closest(surface);
+    const T_spline_closest_point<T_spline::Surface> closest(surface);
     for (int i = 0; i < 500; ++i) {
       const Place place = random_place(surface, random);
       const double height = random.get_double(-1, 1) * std::pow(10., -random.get_int(2, 9));
@@ -252,8 +244,8 @@ TEST_CASE("no sample of a smooth surface is closer", "[T_spline_closest_point]")
   for (auto& example : smooth_surfaces()) {
     INFO(example.first);
     const auto surface = example.second.surface();
-    const T_spline_closest_point<Quad_mesh::Surface> closest(surface);
-    const Samples<Quad_mesh::Surface> samples(surface, 8);
+    const T_spline_closest_point<T_spline::Surface> closest(surface);
+    const Samples<T_spline::Surface> samples(surface, 8);
     for (int i = 0; i < 100; ++i) {
       // Around, inside and near the medial axis, and far away.
       const Point_3 p = random_point(samples.box(), std::array<double, 4>{0.02, 1, 3, 100}[i % 4], random);
@@ -297,15 +289,15 @@ TEST_CASE("no sample of a rational surface that intersects itself is closer", "[
 TEST_CASE("a center of symmetry has the distance of the closest samples", "[T_spline_closest_point]")
 {
   // Its closest points are many.
-  Quad_mesh cube = prism(4);
-  for (const auto v : vertices(cube.mesh)) {
-    const Point_3 p = cube.mesh.point(v);
+  T_spline cube = prism(4);
+  for (const auto v : vertices(cube.graph())) {
+    const Point_3 p = cube.graph().point(v);
     const Vector_3 d(p.x(), p.y(), p.z());
-    cube.mesh.point(v) = CGAL::ORIGIN + d / std::sqrt(d.squared_length());
+    cube.graph().point(v) = CGAL::ORIGIN + d / std::sqrt(d.squared_length());
   }
   const auto surface = cube.surface();
-  const T_spline_closest_point<Quad_mesh::Surface> closest(surface);
-  const Samples<Quad_mesh::Surface> samples(surface, 16);
+  const T_spline_closest_point<T_spline::Surface> closest(surface);
+  const Samples<T_spline::Surface> samples(surface, 16);
   const Sampled_distance d = samples(CGAL::ORIGIN);
   const Projection x = closest(CGAL::ORIGIN);
   CHECK(x.distance <= d.distance);
@@ -318,11 +310,11 @@ TEST_CASE("the closest point may be an extraordinary vertex", "[T_spline_closest
   CGAL::Random random(6);
   for (const int sides : {3, 5, 6, 9, 12}) {
     INFO("valence " << sides);
-    Quad_mesh t = prism(sides);
+    T_spline t = prism(sides);
     const auto surface = t.surface();
-    const T_spline_closest_point<Quad_mesh::Surface> closest(surface);
+    const T_spline_closest_point<T_spline::Surface> closest(surface);
     int number = 0;
-    for (const auto f : faces(t.mesh)) {
+    for (const auto f : faces(t.graph())) {
       const Place corner = surface.is_at_extraordinary_vertex(f) ? extraordinary_corner(surface, f) : Place();
       if (corner.face == Mesh::null_face() || number++ % sides != 0)
         continue;
@@ -353,15 +345,15 @@ TEST_CASE("the closest point may be an extraordinary vertex", "[T_spline_closest
 
 TEST_CASE("beyond a border the closest point is on the border", "[T_spline_closest_point]")
 {
-  Quad_mesh t = hills();
+  T_spline t = hills();
   const auto surface = t.surface();
-  const T_spline_closest_point<Quad_mesh::Surface> closest(surface);
+  const T_spline_closest_point<T_spline::Surface> closest(surface);
   CGAL::Random random(7);
   int number_of_borders = 0, number_of_corners = 0;
-  for (const auto f : faces(t.mesh)) {
-    auto h = halfedge(f, t.mesh);
-    for (int side = 0; side < 4; ++side, h = next(h, t.mesh)) {
-      if (!CGAL::is_border(opposite(h, t.mesh), t.mesh))
+  for (const auto f : faces(t.graph())) {
+    auto h = halfedge(f, t.graph());
+    for (int side = 0; side < 4; ++side, h = next(h, t.graph())) {
+      if (!CGAL::is_border(opposite(h, t.graph()), t.graph()))
         continue;
       ++number_of_borders;
       const double x = random.get_double();
@@ -378,7 +370,7 @@ TEST_CASE("beyond a border the closest point is on the border", "[T_spline_close
       REQUIRE(found.face == f);
       REQUIRE((side % 2 == 0 ? found.v == place.v : found.u == place.u));
       // The corner is closest to what is beyond both borders.
-      if (!CGAL::is_border(opposite(next(h, t.mesh), t.mesh), t.mesh))
+      if (!CGAL::is_border(opposite(next(h, t.graph()), t.graph()), t.graph()))
         continue;
       ++number_of_corners;
       const std::array<Place, 4> corners{Place{f, 1, 0}, Place{f, 1, 1}, Place{f, 0, 1}, Place{f, 0, 0}};
@@ -398,9 +390,9 @@ TEST_CASE("beyond a border the closest point is on the border", "[T_spline_close
 
 TEST_CASE("hints and threads do not change closest points", "[T_spline_closest_point]")
 {
-  Quad_mesh t = prism(5);
+  T_spline t = prism(5);
   const auto surface = t.surface();
-  const T_spline_closest_point<Quad_mesh::Surface> closest(surface);
+  const T_spline_closest_point<T_spline::Surface> closest(surface);
   CGAL::Random random(8);
   std::vector<Point_3> points;
   std::vector<Place> places;
@@ -442,12 +434,12 @@ TEST_CASE("closest points of a compiled surface", "[T_spline_closest_point]")
   CGAL::Random random(9);
   for (const double largest_weight : {1., 2., 1000.}) {
     INFO("weights up to " << largest_weight);
-    Quad_mesh t = prism(7);
-    for (const auto v : vertices(t.mesh))
+    T_spline t = prism(7);
+    for (const auto v : vertices(t.graph()))
       t.weights()[v] = std::pow(largest_weight, random.get_double(-1, 1));
     const auto surface = t.surface();
     const auto compiled = compile_T_spline(surface, CGAL::T_splines::parameters::number_of_rings(2));
-    const T_spline_closest_point<Quad_mesh::Surface> exact(surface);
+    const T_spline_closest_point<T_spline::Surface> exact(surface);
     const T_spline_closest_point<std::decay_t<decltype(compiled)>> closest(compiled);
     const Samples<std::decay_t<decltype(compiled)>> samples(compiled, 8);
     for (int i = 0; i < 100; ++i) {

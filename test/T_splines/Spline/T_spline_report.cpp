@@ -46,7 +46,7 @@ TEST_CASE("a T-mesh that is not spline compatible is refused", "[T_spline_report
   CHECK_FALSE(surface.is_valid());
   CHECK(surface.report().status == T_spline_status::NOT_SPLINE_COMPATIBLE);
   CHECK(surface.report().compatibility.status == Spline_compatibility_status::IRREGULAR_RINGS);
-  CHECK(CGAL::T_splines::is_extraordinary(surface.report().compatibility.vertex, t.mesh, t.corners()));
+  CHECK(CGAL::T_splines::is_extraordinary(surface.report().compatibility.vertex, t));
   CHECK_FALSE(surface.update_control_points());
   CHECK(surface.report().status == T_spline_status::NOT_SPLINE_COMPATIBLE);
   CHECK(describe(surface.report(), t.mesh).find("condition A") != std::string::npos);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/T_splines/Spline/T_spline_surface.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 
 #include <CGAL/T_splines/IO/read_t_mesh.h>
 
@@ -56,7 +57,7 @@ struct Place {
 template <typename Surface>
 std::vector<Place> random_places(const Surface& surface, const int number, CGAL::Random& random)
 {
-  const auto range = faces(surface.t_mesh());
+  const auto range = faces(surface.graph());
   const std::vector<Face> list(range.begin(), range.end());
   std::vector<Place> result;
   for (int i = 0; i < number; ++i) {
@@ -70,11 +71,10 @@ std::vector<Place> random_places(const Surface& surface, const int number, CGAL:
 template <typename Mesh>
 std::map<typename Mesh::vertex_descriptor, std::vector<Place>> places_at_extraordinary_vertices(Mesh& t)
 {
-  const CGAL::T_splines::T_mesh_coordinates<Surface_mesh, typename Mesh::Knot_map, typename Mesh::Corner_map>
-      coordinates(t.mesh, t.knots(), t.corners());
+  const CGAL::T_splines::T_mesh_coordinates coordinates(t);
   std::map<typename Mesh::vertex_descriptor, std::vector<Place>> result;
   for (const auto v : vertices(t.mesh)) {
-    if (CGAL::T_splines::is_border_vertex(v, t.mesh) || !CGAL::T_splines::is_extraordinary(v, t.mesh, t.corners()))
+    if (CGAL::T_splines::is_border_vertex(v, t) || !CGAL::T_splines::is_extraordinary(v, t))
       continue;
     for (const auto h : CGAL::halfedges_around_target(halfedge(v, t.mesh), t.mesh)) {
       const auto p = converted<double>(coordinates.target_point(h));
@@ -116,7 +116,7 @@ TEST_CASE("the surface is C2 where faces meet", "[T_spline_surface]")
       prepare(t, splits, random);
       const Mesh::Surface spline = t.surface();
       REQUIRE(spline.is_valid());
-      const auto pieces = edge_pieces<double>(t.mesh, t.knots(), t.corners());
+      const auto pieces = edge_pieces<double>(t);
       const Continuity c = continuity(spline, pieces, 10000, random);
       CHECK(c.position < 1e-12);
       CHECK(c.first < 1e-10);
@@ -133,13 +133,11 @@ TEST_CASE("the surface of a T-mesh from a file is C2 where faces meet", "[T_spli
   for (const std::string name : {"border", "cube", "scaled_torus", "t_joints", "torus_of_one_face"}) {
     INFO(name);
     Spline_mesh<double> t(Faces<double>{});
-    REQUIRE(CGAL::T_splines::read_t_mesh(T_SPLINES_TEST_DATA "/good_t_meshes/" + name + ".ply", t.mesh, t.knots(),
-                                         t.corners())
-                .success());
+    REQUIRE(CGAL::T_splines::read_t_mesh(T_SPLINES_TEST_DATA "/good_t_meshes/" + name + ".ply", t).success());
     prepare(t, 0, random);
     const auto spline = t.surface();
     REQUIRE(spline.is_valid());
-    const Continuity c = continuity(spline, edge_pieces<double>(t.mesh, t.knots(), t.corners()), 10000, random);
+    const Continuity c = continuity(spline, edge_pieces<double>(t), 10000, random);
     CHECK(c.position < 1e-12);
     CHECK(c.first < 1e-10);
     CHECK(c.second < 1e-9);
@@ -159,7 +157,7 @@ TEST_CASE("knot intervals may differ by ten orders of magnitude", "[T_spline_sur
     prepare(t, 0, random);
     const auto spline = t.surface();
     REQUIRE(spline.is_valid());
-    const Continuity c = continuity(spline, edge_pieces<double>(t.mesh, t.knots(), t.corners()), 10000, random);
+    const Continuity c = continuity(spline, edge_pieces<double>(t), 10000, random);
     CHECK(c.position < 1e-12);
     CHECK(c.first < 1e-12);
   }
@@ -246,10 +244,8 @@ TEST_CASE("the surface does not depend on orders and frames", "[T_spline_surface
     const Mesh::Surface other_spline = other.surface();
     REQUIRE(other_spline.is_valid());
 
-    const CGAL::T_splines::T_mesh_coordinates<Surface_mesh, Mesh::Knot_map, Mesh::Corner_map> coordinates(
-        t.mesh, t.knots(), t.corners());
-    const CGAL::T_splines::T_mesh_coordinates<Surface_mesh, Mesh::Knot_map, Mesh::Corner_map> other_coordinates(
-        other.mesh, other.knots(), other.corners());
+    const CGAL::T_splines::T_mesh_coordinates coordinates(t);
+    const CGAL::T_splines::T_mesh_coordinates other_coordinates(other);
     Jet_difference worst;
     for (int i = 0; i < number; ++i)
       for (int k = 0; k < 20; ++k) {
@@ -403,13 +399,13 @@ TEST_CASE("with an exact kernel both sides of an edge are equal", "[T_spline_sur
     prepare(t, 10, random);
     const Exact_mesh::Surface exact = t.surface();
     REQUIRE(exact.is_valid());
-    const Continuity c = continuity(exact, edge_pieces<Rational>(t.mesh, t.knots(), t.corners()), 150, random);
+    const Continuity c = continuity(exact, edge_pieces<Rational>(t), 150, random);
     CHECK(c.largest() == 0);
     CHECK(c.at_t_joints > 0);
 
-    const CGAL::T_splines::T_spline_surface<Surface_mesh, Exact_mesh::Knot_map, Exact_mesh::Corner_map,
-                                            Exact_mesh::Control_map, Kernel>
-        rounded(t.mesh, t.knots(), t.corners(), t.controls());
+    const CGAL::T_splines::T_spline_surface<CGAL::T_splines::Const_T_mesh_view_of<Exact_mesh>, Exact_mesh::Control_map,
+                                            Kernel>
+        rounded(t, t.controls());
     REQUIRE(rounded.is_valid());
     const CGAL::Cartesian_converter<Exact_kernel, Kernel> to_double;
     Jet_difference worst;

@@ -175,7 +175,7 @@ TEST_CASE("there are no cracks between patches, caps included", "[compile_T_spli
     const Compiled compiled = compile_T_spline(spline, parameters::number_of_rings(2));
     // Across the edges of the T-mesh: position, and between others than caps derivatives as well.
     double worst = 0;
-    const auto pieces = edge_pieces<double>(t.mesh, t.knots(), t.corners());
+    const auto pieces = edge_pieces<double>(t);
     for (const auto& piece : pieces)
       for (int k = 0; k <= 16; ++k) {
         const auto p = inside(spline, piece.face, piece.at(k == 16 ? 1 : (k + random.get_double()) / 17));
@@ -266,7 +266,7 @@ TEST_CASE("ranges of places give what single places give", "[compile_T_spline]")
   prepare(t, 10, random);
   const Mesh::Surface spline = t.surface();
   const Compiled compiled = compile_T_spline(spline);
-  CHECK(&compiled.t_mesh() == &t.mesh);
+  CHECK(&compiled.graph() == &t.mesh);
   std::vector<Compiled::Place> places;
   for (const auto f : faces(t.mesh))
     for (int k = 0; k < 3; ++k)

@@ -25,9 +25,9 @@
 namespace spline_tests {
 
 // What one face sees of an edge.
-template <typename TMesh, typename FT>
+template <typename Graph, typename FT>
 struct Edge_piece {
-  typename boost::graph_traits<TMesh>::face_descriptor face, opposite_face;
+  typename boost::graph_traits<Graph>::face_descriptor face, opposite_face;
   std::pair<FT, FT> begin, end;                 // of the edge, in the frame of `face`
   CGAL::T_splines::Similarity_2<FT> transition; // to the frame of `opposite_face`
   std::array<bool, 2> has_cone;                 // at its begin, at its end
@@ -55,25 +55,26 @@ CGAL::T_splines::Similarity_2<FT> converted(const CGAL::T_splines::Similarity_2<
 }
 
 // All pairs of an inner edge and one of its faces.
-template <typename FT, typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap>
-std::vector<Edge_piece<TMesh, FT>> edge_pieces(const TMesh& t_mesh, const HalfedgeKnotMap knots,
-                                               const HalfedgeCornerMap corners)
+template <typename FT, typename TMesh>
+std::vector<Edge_piece<typename TMesh::Graph, FT>> edge_pieces(const TMesh& t_mesh)
 {
-  const CGAL::T_splines::T_mesh_coordinates<TMesh, HalfedgeKnotMap, HalfedgeCornerMap> coordinates(t_mesh, knots,
-                                                                                                   corners);
-  std::vector<Edge_piece<TMesh, FT>> result;
-  for (const auto h : halfedges(t_mesh)) {
-    const auto o = opposite(h, t_mesh);
-    if (face(h, t_mesh) == boost::graph_traits<TMesh>::null_face() ||
-        face(o, t_mesh) == boost::graph_traits<TMesh>::null_face())
+  const CGAL::T_splines::T_mesh_coordinates coordinates(t_mesh);
+  const auto& graph = t_mesh.graph();
+  const auto null_face = boost::graph_traits<typename TMesh::Graph>::null_face();
+  std::vector<Edge_piece<typename TMesh::Graph, FT>> result;
+  for (const auto h : halfedges(graph)) {
+    const auto o = opposite(h, graph);
+    if (face(h, graph) == null_face || face(o, graph) == null_face)
       continue;
     const auto is_cone = [&](const auto v) {
-      return !CGAL::T_splines::is_border_vertex(v, t_mesh) && CGAL::T_splines::is_extraordinary(v, t_mesh, corners);
+      return !CGAL::T_splines::is_border_vertex(v, t_mesh) && CGAL::T_splines::is_extraordinary(v, t_mesh);
     };
-    const auto is_whole = [&](const auto e) { return get(corners, e) && get(corners, prev(e, t_mesh)); };
-    result.push_back({face(h, t_mesh), face(o, t_mesh), converted<FT>(coordinates.source_point(h)),
+    const auto is_whole = [&](const auto e) {
+      return get(t_mesh.corners(), e) && get(t_mesh.corners(), prev(e, graph));
+    };
+    result.push_back({face(h, graph), face(o, graph), converted<FT>(coordinates.source_point(h)),
                       converted<FT>(coordinates.target_point(h)), converted<FT>(coordinates.transition(h)),
-                      std::array<bool, 2>{is_cone(source(h, t_mesh)), is_cone(target(h, t_mesh))},
+                      std::array<bool, 2>{is_cone(source(h, graph)), is_cone(target(h, graph))},
                       is_whole(h) && is_whole(o)});
   }
   return result;

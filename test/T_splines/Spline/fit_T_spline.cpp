@@ -44,7 +44,7 @@ template <typename Surface>
 std::vector<Sample> samples_of(const Surface& surface, const int n)
 {
   std::vector<Sample> result;
-  for (const auto f : faces(surface.t_mesh()))
+  for (const auto f : faces(surface.graph()))
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {
         const double u = surface.width(f) * (i + 0.5) / n, v = surface.height(f) * (j + 0.5) / n;
@@ -91,7 +91,7 @@ TEST_CASE("A surface that is a T-spline is reproduced")
       std::vector<Sample> samples = samples_of(t.surface(), 6);
       Fitted fitted(t);
       const auto np = P::vertex_weight_map(fitted.weights, P::fairness(0.)).number_of_iterations(0);
-      const auto report = T::fit_T_spline(t.mesh, t.knots(), t.corners(), samples, fitted.points, np);
+      const auto report = T::fit_T_spline(t, samples, fitted.points, np);
       REQUIRE(report.status == Status::FITTED);
       CHECK(report.error.maximum < 1e-11);
       CHECK(fitted.largest_distance(t) < 1e-9);
@@ -109,8 +109,8 @@ TEST_CASE("A surface that is a T-spline stays as it is when its samples are move
   Fitted fitted(t);
   SECTION("corrections")
   {
-    const auto report = T::fit_T_spline(t.mesh, t.knots(), t.corners(), samples, fitted.points,
-                                        P::vertex_weight_map(fitted.weights, P::fairness(0.)));
+    const auto report =
+        T::fit_T_spline(t, samples, fitted.points, P::vertex_weight_map(fitted.weights, P::fairness(0.)));
     REQUIRE(report.success());
     CHECK(fitted.largest_distance(t) < 1e-9);
   }
@@ -120,7 +120,7 @@ TEST_CASE("A surface that is a T-spline stays as it is when its samples are move
     for (const double fairness : {1e-6, 1e-8}) {
       std::vector<Sample> again = samples;
       const auto np = P::vertex_weight_map(fitted.weights, P::fairness(fairness)).number_of_iterations(0);
-      REQUIRE(T::fit_T_spline(t.mesh, t.knots(), t.corners(), again, fitted.points, np));
+      REQUIRE(T::fit_T_spline(t, again, fitted.points, np));
       const double distance = fitted.largest_distance(t);
       CHECK(distance > 0);
       if (last > 0)
@@ -145,8 +145,7 @@ TEST_CASE("Fits follow similarity transformations of the samples, and do not dep
   const auto fit = [&](const std::vector<Sample>& given) {
     std::vector<Sample> moved = given;
     Fitted fitted(t);
-    const auto report = T::fit_T_spline(t.mesh, t.knots(), t.corners(), moved, fitted.points,
-                                        CGAL::parameters::number_of_iterations(0));
+    const auto report = T::fit_T_spline(t, moved, fitted.points, CGAL::parameters::number_of_iterations(0));
     REQUIRE(report.success());
     std::vector<Point_3> points;
     for (const auto v : t.mesh.vertices())
@@ -195,9 +194,8 @@ TEST_CASE("Conjugate gradients give the same fit as a factorization")
   Fitted direct(t), iterative(t);
   T::Eigen_spd_solver_traits<Gradients> solver;
   solver.solver().setTolerance(1e-13);
-  REQUIRE(T::fit_T_spline(t.mesh, t.knots(), t.corners(), samples, direct.points,
-                          CGAL::parameters::number_of_iterations(0)));
-  REQUIRE(T::fit_T_spline(t.mesh, t.knots(), t.corners(), again, iterative.points,
+  REQUIRE(T::fit_T_spline(t, samples, direct.points, CGAL::parameters::number_of_iterations(0)));
+  REQUIRE(T::fit_T_spline(t, again, iterative.points,
                           CGAL::parameters::number_of_iterations(0).sparse_linear_solver(std::ref(solver))));
   for (const auto v : t.mesh.vertices())
     CHECK(std::sqrt(CGAL::squared_distance(direct.points[v], iterative.points[v])) < 1e-9);
@@ -216,11 +214,11 @@ TEST_CASE("Moving the samples reduces the distances, and leaves the samples on t
     sample.point = CGAL::ORIGIN + p / std::sqrt(p.squared_length());
   }
   Fitted fitted(t);
-  const auto report = T::fit_T_spline(t.mesh, t.knots(), t.corners(), samples, fitted.points);
+  const auto report = T::fit_T_spline(t, samples, fitted.points);
   REQUIRE(report.success());
   CHECK(report.number_of_corrections > 0);
   CHECK(report.error.rms < report.first_error.rms);
-  const auto surface = T::T_spline_surface(t.mesh, t.knots(), t.corners(), fitted.points);
+  const auto surface = T::T_spline_surface(t, fitted.points);
   double sum = 0, weight = 0, maximum = 0;
   for (const Sample& sample : samples) {
     REQUIRE(sample.place.u >= 0);
@@ -252,12 +250,11 @@ TEST_CASE("An open surface is reproduced, with samples that are moved along the 
   const std::vector<Sample> exact = samples_of(t.surface(), 6);
   Fitted fitted(t);
   const auto np = P::vertex_weight_map(fitted.weights, P::fairness(1e-9)).number_of_iterations(20);
-  const auto report = T::fit_T_spline(t.mesh, t.knots(), t.corners(), samples, fitted.points, np);
+  const auto report = T::fit_T_spline(t, samples, fitted.points, np);
   REQUIRE(report.success());
   CHECK(report.error.rms < 0.5 * report.first_error.rms);
   samples = exact;
-  REQUIRE(T::fit_T_spline(t.mesh, t.knots(), t.corners(), samples, fitted.points,
-                          P::vertex_weight_map(fitted.weights, P::fairness(0.))));
+  REQUIRE(T::fit_T_spline(t, samples, fitted.points, P::vertex_weight_map(fitted.weights, P::fairness(0.))));
   CHECK(fitted.largest_distance(t) < 1e-9);
 }
 
@@ -270,7 +267,7 @@ TEST_CASE("Bad input of a fit is refused, and leaves control points and samples 
   Fitted fitted(t);
   const auto fit = [&](const auto& np) {
     const std::vector<Sample> before = samples;
-    const auto report = T::fit_T_spline(t.mesh, t.knots(), t.corners(), samples, fitted.points, np);
+    const auto report = T::fit_T_spline(t, samples, fitted.points, np);
     for (const auto v : t.mesh.vertices())
       CHECK(fitted.points[v] == Point_3(CGAL::ORIGIN));
     for (std::size_t i = 0; i < samples.size(); ++i)
@@ -328,7 +325,7 @@ TEST_CASE("Bad input of a fit is refused, and leaves control points and samples 
     const auto f = *cube.mesh.faces().begin();
     std::vector<Sample> one{{{f, 0.5, 0.5}, Point_3(0, 0, 0), 1}};
     const auto points = cube.mesh.add_property_map<Surface_mesh::Vertex_index, Point_3>("v:fitted").first;
-    const auto report = T::fit_T_spline(cube.mesh, cube.knots(), cube.corners(), one, points);
+    const auto report = T::fit_T_spline(cube, one, points);
     CHECK(report.status == Status::INVALID_SURFACE);
     CHECK_FALSE(describe(report, cube.mesh).empty());
   }
@@ -344,7 +341,7 @@ TEST_CASE("Too few samples do with some fairness")
     if (samples.size() < 20)
       samples.push_back({sample.place, Point_3(1, 2, 3), 1});
   Fitted fitted(t);
-  REQUIRE(T::fit_T_spline(t.mesh, t.knots(), t.corners(), samples, fitted.points));
+  REQUIRE(T::fit_T_spline(t, samples, fitted.points));
   for (const auto v : t.mesh.vertices()) // constants have no energy
     CHECK(std::sqrt(CGAL::squared_distance(fitted.points[v], Point_3(1, 2, 3))) < 1e-7);
 }

@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/T_splines/Spline/T_spline.h>
 #include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>
+#include <CGAL/T_splines/T_mesh/T_mesh.h>
 
 #include <CGAL/T_splines/Spline/Mesh_distance.h>
 #include <CGAL/T_splines/Spline/T_spline_closest_point.h>
@@ -36,22 +38,13 @@ using Kernel = Carried_box::Kernel;
 using Point_3 = Kernel::Point_3;
 using Status = T::Adaptive_fit_status;
 
-struct Result {
-  Mesh mesh;
-  Mesh::Property_map<Mesh::Halfedge_index, double> knots =
-      mesh.add_property_map<Mesh::Halfedge_index, double>("h:knot").first;
-  Mesh::Property_map<Mesh::Halfedge_index, bool> corners =
-      mesh.add_property_map<Mesh::Halfedge_index, bool>("h:is_corner").first;
-
-  auto surface() { return T::T_spline_surface(mesh, knots, corners, mesh.points()); }
-};
+using Result = T::T_spline<Kernel>;
 
 template <typename NamedParameters>
 T::Adaptive_fit_report<Mesh> fit(const Carried_box& box, const double tolerance, Result& result,
                                  const NamedParameters& np)
 {
-  return T::fit_adaptive_T_spline(box.t_mesh, box.knots, box.corners, box.surface, tolerance, result.mesh, result.knots,
-                                  result.corners, result.mesh.points(), np);
+  return T::fit_adaptive_T_spline(box.t_mesh, box.surface, tolerance, result, np);
 }
 
 T::Adaptive_fit_report<Mesh> fit(const Carried_box& box, const double tolerance, Result& result)
@@ -67,7 +60,7 @@ double distance_of_random_points(const Surface& surface, const Mesh& mesh)
   const T::Mesh_distance to_mesh(mesh);
   const T::T_spline_closest_point<Surface> to_surface(surface);
   double result = 0;
-  for (const auto f : faces(surface.t_mesh()))
+  for (const auto f : faces(surface.graph()))
     for (int i = 0; i < 20; ++i)
       result = std::max(result, to_mesh(surface.position(f, surface.width(f) * random.get_double(),
                                                          surface.height(f) * random.get_double())));
@@ -89,13 +82,12 @@ struct Level_recorder : T::Adaptive_fit_visitor {
   std::vector<std::size_t>* numbers;
   std::size_t last = 1000;
 
-  template <typename TMesh, typename KnotMap, typename CornerMap, typename PointMap>
-  void level_fitted(const T::T_spline_fit_level& level, const TMesh& t_mesh, const KnotMap knots,
-                    const CornerMap corners, const PointMap points) const
+  template <typename TMesh>
+  void level_fitted(const T::T_spline_fit_level& level, const TMesh& t_mesh) const
   {
-    CHECK(level.number_of_control_points == num_vertices(t_mesh));
-    CHECK(level.number_of_faces == num_faces(t_mesh));
-    CHECK(T::T_spline_surface(t_mesh, knots, corners, points).is_valid());
+    CHECK(level.number_of_control_points == num_vertices(t_mesh.graph()));
+    CHECK(level.number_of_faces == num_faces(t_mesh.graph()));
+    CHECK(T::T_spline_surface(t_mesh, t_mesh.graph().points()).is_valid());
     numbers->push_back(level.number_of_control_points);
   }
 
@@ -115,10 +107,10 @@ TEST_CASE("An adaptive fit comes within the tolerance both ways, with more contr
     const T::T_spline_fit_level& level = report.levels[report.best_level];
     CHECK(level.error.maximum <= tolerance);
     CHECK(level.number_of_folded_faces == 0);
-    CHECK(level.number_of_control_points == num_vertices(result.mesh));
+    CHECK(level.number_of_control_points == result.number_of_control_points());
     CHECK(level.number_of_control_points > last);
     last = level.number_of_control_points;
-    CHECK(T::is_spline_compatible(result.mesh, result.knots, result.corners));
+    CHECK(T::is_spline_compatible(result));
     const auto surface = result.surface();
     REQUIRE(surface.is_valid());
     const double distance = distance_of_random_points(surface, box.mesh);
@@ -155,7 +147,7 @@ TEST_CASE("The visitor sees all levels, and the best of them is the surface")
     CHECK(numbers[i] == report.levels[i].number_of_control_points);
     CHECK(report.levels[report.best_level].error.maximum <= report.levels[i].error.maximum);
   }
-  CHECK(num_vertices(result.mesh) == numbers[report.best_level]);
+  CHECK(result.number_of_control_points() == numbers[report.best_level]);
   CHECK(numbers.back() > numbers.front());
 }
 
@@ -167,7 +159,7 @@ TEST_CASE("No more control points are used than allowed")
   const std::size_t limit = first + 400;
   const auto report = fit(box, 1e-4, result, P::maximum_number_of_control_points(limit));
   CHECK(report.status == Status::CONTROL_POINT_LIMIT);
-  CHECK(num_vertices(result.mesh) <= limit);
+  CHECK(result.number_of_control_points() <= limit);
   for (const auto& level : report.levels)
     CHECK(level.number_of_control_points <= limit);
 }
@@ -183,31 +175,36 @@ TEST_CASE("The fit of a surface far from the origin, and large, is the same")
   const auto near_report = fit(box, 0.02, near_result), far_report = fit(far, 0.02 * size, far_result);
   REQUIRE(near_report.success());
   REQUIRE(far_report.success());
-  REQUIRE(num_vertices(near_result.mesh) == num_vertices(far_result.mesh));
-  for (const auto v : near_result.mesh.vertices()) {
-    const Point_3 &p = near_result.mesh.point(v), &q = far_result.mesh.point(v);
+  REQUIRE(near_result.number_of_control_points() == far_result.number_of_control_points());
+  for (const auto v : near_result.graph().vertices()) {
+    const Point_3 &p = near_result.graph().point(v), &q = far_result.graph().point(v);
     CHECK(q.x() == Approx(size * p.x() + shift).margin(1e-3));
     CHECK(q.y() == Approx(size * p.y() - shift).margin(1e-3));
     CHECK(q.z() == Approx(size * p.z() + shift).margin(1e-3));
   }
 }
 
-TEST_CASE("An open surface is fitted adaptively, into another model of a T-mesh")
+TEST_CASE("An open surface is fitted adaptively, and copied into another model of a graph")
 {
   using Polyhedron = CGAL::Polyhedron_3<Kernel>;
   using Halfedge = boost::graph_traits<Polyhedron>::halfedge_descriptor;
   const Carried_box box(
       12, [](const Point_3& p, const int n) { return Point_3(0.2 * std::sin(3 * p.y() / n), p.y() / n, p.z() / n); },
       1);
-  Polyhedron mesh;
+  Result result;
+  const auto report = fit(box, 0.01, result);
+  REQUIRE(report.status == Status::WITHIN_TOLERANCE);
+  CHECK(distance_of_random_points(result.surface(), box.mesh) <= 0.01);
+
+  Polyhedron graph;
   std::unordered_map<Halfedge, double, boost::hash<Halfedge>> knots;
   std::unordered_map<Halfedge, bool, boost::hash<Halfedge>> corners;
-  const auto report = T::fit_adaptive_T_spline(box.t_mesh, box.knots, box.corners, box.surface, 0.01, mesh,
-                                               boost::make_assoc_property_map(knots),
-                                               boost::make_assoc_property_map(corners), get(CGAL::vertex_point, mesh));
-  REQUIRE(report.status == Status::WITHIN_TOLERANCE);
-  const auto surface = T::T_spline_surface(mesh, boost::make_assoc_property_map(knots),
-                                           boost::make_assoc_property_map(corners), get(CGAL::vertex_point, mesh));
+  const T::T_mesh_view copy(graph, boost::make_assoc_property_map(knots), boost::make_assoc_property_map(corners));
+  T::copy_T_mesh(result, copy);
+  auto from = vertices(result.graph()).begin();
+  for (const auto v : vertices(graph))
+    v->point() = result.graph().point(*from++);
+  const T::T_spline_surface surface(copy, get(CGAL::vertex_point, graph));
   REQUIRE(surface.is_valid());
   CHECK(distance_of_random_points(surface, box.mesh) <= 0.01);
 }
@@ -220,8 +217,8 @@ TEST_CASE("Bad input of an adaptive fit is refused, and nothing is written")
     const auto report = fit(box, tolerance, result, np);
     CHECK_FALSE(report.success());
     CHECK_FALSE(report);
-    CHECK(num_vertices(result.mesh) == 0);
-    CHECK_FALSE(describe(report, box.t_mesh).empty());
+    CHECK(result.number_of_control_points() == 0);
+    CHECK_FALSE(describe(report, box.t_mesh.graph()).empty());
     return report;
   };
   const auto defaults = CGAL::parameters::default_values();
@@ -248,8 +245,9 @@ TEST_CASE("Bad input of an adaptive fit is refused, and nothing is written")
   }
   SECTION("knots")
   {
-    const auto h = *halfedges(box.t_mesh).begin();
-    box.knots[h] = box.knots[h] * 2;
+    const auto knots = box.t_mesh.knots();
+    const auto h = *halfedges(box.t_mesh.graph()).begin();
+    knots[h] = knots[h] * 2;
     CHECK(refused(0.1, defaults).status == Status::INADMISSIBLE);
   }
   SECTION("interruption")

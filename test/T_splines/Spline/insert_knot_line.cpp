@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/T_splines/Spline/insert_knot_line.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 
 #include <CGAL/T_splines/IO/write_t_mesh.h>
 #include <CGAL/T_splines/T_mesh/Carried_points.h>
@@ -39,7 +40,7 @@ template <typename Mesh>
 std::string text(Mesh& t)
 {
   std::ostringstream out;
-  CGAL::T_splines::write_t_mesh(out, t.mesh, t.knots(), t.corners());
+  CGAL::T_splines::write_t_mesh(out, t);
   out.precision(17);
   for (const auto v : vertices(t.mesh))
     out << t.control(v) << "\n";
@@ -50,7 +51,7 @@ std::string text(Mesh& t)
 template <typename Mesh>
 class Marked_surface {
   using Number = typename Mesh::Number;
-  using Points = CGAL::T_splines::Carried_points<typename Mesh::TMesh, Number, typename Mesh::Point_3>;
+  using Points = CGAL::T_splines::Carried_points<typename Mesh::Graph, Number, typename Mesh::Point_3>;
   using Face = typename Mesh::face_descriptor;
   static constexpr bool is_exact = !std::is_same<Number, double>::value;
 
@@ -69,16 +70,14 @@ public:
   }
 
   // At so many eighths of the face. Checks what must hold, however it ends.
-  CGAL::T_splines::Knot_insertion_report<typename Mesh::TMesh> insert(const Face f, const int axis, const int eighths)
+  CGAL::T_splines::Knot_insertion_report<typename Mesh::Graph> insert(const Face f, const int axis, const int eighths)
   {
-    const CGAL::T_splines::T_mesh_coordinates<typename Mesh::TMesh, typename Mesh::Knot_map, typename Mesh::Corner_map>
-        coordinates(m_t.mesh, m_t.knots(), m_t.corners());
+    const CGAL::T_splines::T_mesh_coordinates coordinates(m_t);
     const typename Mesh::FT size = axis == 0 ? coordinates.width(f) : coordinates.height(f);
     const std::string before = text(m_t);
     const std::size_t vertices_before = num_vertices(m_t.mesh);
-    const auto report =
-        insert_knot_line(m_t.mesh, m_t.knots(), m_t.corners(), m_t.controls(), f, axis,
-                         typename Mesh::FT(size * eighths / 8), CGAL::parameters::visitor(m_points.visitor()));
+    const auto report = insert_knot_line(m_t, m_t.controls(), f, axis, typename Mesh::FT(size * eighths / 8),
+                                         CGAL::parameters::visitor(m_points.visitor()));
     ++m_count[report.status];
     const std::size_t vertices_after = std::distance(vertices(m_t.mesh).begin(), vertices(m_t.mesh).end());
     CHECK(vertices_after == vertices_before + report.inserted_vertices);
@@ -113,7 +112,7 @@ public:
 private:
   void check() const
   {
-    const auto compatibility = CGAL::T_splines::is_spline_compatible(m_t.mesh, m_t.knots(), m_t.corners());
+    const auto compatibility = CGAL::T_splines::is_spline_compatible(m_t);
     INFO(message(compatibility.status));
     REQUIRE(compatibility);
     const Number worst = difference();
@@ -129,9 +128,7 @@ private:
     switch (report.status) {
     case Status::NOT_CONFORMING: CHECK(degree(report.face, m_t.mesh) > 4); break;
     case Status::LINE_MEETS_ITSELF: CHECK(degree(report.face, m_t.mesh) == 4); break;
-    case Status::AT_EXTRAORDINARY_VERTEX:
-      CHECK(CGAL::T_splines::is_extraordinary(report.vertex, m_t.mesh, m_t.corners()));
-      break;
+    case Status::AT_EXTRAORDINARY_VERTEX: CHECK(CGAL::T_splines::is_extraordinary(report.vertex, m_t)); break;
     default: FAIL(message(report.status));
     }
   }
@@ -185,7 +182,7 @@ void prepare(Mesh& t, CGAL::Random& random)
 template <typename Mesh>
 void cut_squares(Mesh& t, const int times)
 {
-  typename Mesh::Editor editor(t.mesh, t.knots(), t.corners());
+  typename Mesh::Editor editor(t);
   for (int i = 0; i < 2 * times; ++i) {
     const auto range = faces(t.mesh);
     for (const auto f : std::vector<typename Mesh::face_descriptor>(range.begin(), range.end())) {
@@ -272,7 +269,7 @@ TEST_CASE("where supports overlap themselves, the surface does not change either
   const auto report = insert_in_plane(t, surface, plane, 0, {1.5, 0.5});
   CHECK(report);
   CHECK(report.inserted_vertices == 1);
-  CHECK(CGAL::T_splines::is_spline_compatible(t.mesh, t.knots(), t.corners()).self_overlapping_supports == 4);
+  CHECK(CGAL::T_splines::is_spline_compatible(t).self_overlapping_supports == 4);
 }
 
 TEST_CASE("lines between two borders that are close", "[insert_knot_line]")
@@ -446,11 +443,11 @@ TEST_CASE("lines close to others, in doubles", "[insert_knot_line]")
     Double_mesh t(plane.faces<double>());
     t.set_random_controls(random);
     for (int i = 0; i < 3; ++i) {
-      const Double_mesh::Editor editor(t.mesh, t.knots(), t.corners());
+      const Double_mesh::Editor editor(t);
       const auto f = t.face_list[0];
       const double x = part * editor.coordinates().width(f);
-      CHECK(insert_knot_line(t.mesh, t.knots(), t.corners(), t.controls(), f, 0, x));
-      CHECK(CGAL::T_splines::is_spline_compatible(t.mesh, t.knots(), t.corners()));
+      CHECK(insert_knot_line(t, t.controls(), f, 0, x));
+      CHECK(CGAL::T_splines::is_spline_compatible(t));
     }
   }
 }
@@ -463,11 +460,11 @@ TEST_CASE("control points without weights", "[insert_knot_line]")
   for (const auto v : vertices(t.mesh))
     put(points, v, Kernel::Point_3(random.get_double(), random.get_double(), random.get_double()));
   using Surface =
-      CGAL::T_splines::T_spline_surface<Surface_mesh, Double_mesh::Knot_map, Double_mesh::Corner_map, decltype(points)>;
+      CGAL::T_splines::T_spline_surface<CGAL::T_splines::Const_T_mesh_view_of<Double_mesh>, decltype(points)>;
   const auto f = t.face_list[5]; // of unit 6; the line leaves the lower half to it
-  const auto position = [&] { return Surface(t.mesh, t.knots(), t.corners(), points).position(f, 1.5, 2.5); };
+  const auto position = [&] { return Surface(t, points).position(f, 1.5, 2.5); };
   const Kernel::Point_3 before = position();
-  CHECK(insert_knot_line(t.mesh, t.knots(), t.corners(), points, f, 1, 3.));
+  CHECK(insert_knot_line(t, points, f, 1, 3.));
   CHECK(t.mesh.number_of_faces() == 24);
   CHECK(std::sqrt(CGAL::squared_distance(position(), before)) < 1e-14);
 }
@@ -480,7 +477,7 @@ TEST_CASE("what is wrong from the beginning is named", "[insert_knot_line]")
   const auto f = t.face_list[4]; // of unit 5
   const auto insert = [&](const double x) {
     const std::string before = text(t);
-    const auto report = insert_knot_line(t.mesh, t.knots(), t.corners(), t.controls(), f, 0, x);
+    const auto report = insert_knot_line(t, t.controls(), f, 0, x);
     CHECK(text(t) == before);
     return report;
   };
@@ -493,7 +490,7 @@ TEST_CASE("what is wrong from the beginning is named", "[insert_knot_line]")
     for (const double weight :
          {0., -1., std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
       t.set_control(v, Kernel::Point_3(1, 2, 3), weight);
-      const auto report = insert_knot_line(t.mesh, t.knots(), t.corners(), t.controls(), f, 0, 2.);
+      const auto report = insert_knot_line(t, t.controls(), f, 0, 2.);
       CHECK(report.status == Status::WEIGHT_NOT_POSITIVE);
       CHECK(report.vertex == v);
       CHECK(num_vertices(t.mesh) == 25);

@@ -50,9 +50,9 @@ double area(const Polygon& p)
 // Each face is covered once: the parts of its images inside of it have its area, and each place is one point.
 void check_covered(const Carried_box& box)
 {
-  const T::T_mesh_coordinates coordinates(box.t_mesh, box.knots, box.corners);
+  const T::T_mesh_coordinates coordinates(box.t_mesh);
   std::vector<double> seen(box.surface.triangles().size(), 0);
-  for (const auto f : box.t_mesh.faces()) {
+  for (const auto f : box.t_mesh.graph().faces()) {
     const double width = CGAL::to_double(coordinates.width(f)), height = CGAL::to_double(coordinates.height(f));
     double sum = 0;
     for (const auto& image : box.surface.images(f)) {
@@ -83,17 +83,17 @@ TEST_CASE("The images stay where they are while faces are split and lines remove
   Carried_box box(4, bumpy);
   CGAL::Random random(2);
   const auto visitor = box.surface.visitor();
-  T::T_mesh_editor editor(box.t_mesh, box.knots, box.corners, visitor);
+  T::T_mesh_editor editor(box.t_mesh, visitor);
   for (int i = 0; i < 60; ++i) {
     const Mesh::Face_index f(
-        static_cast<Mesh::size_type>(random.get_int(0, static_cast<int>(box.t_mesh.number_of_faces()))));
+        static_cast<Mesh::size_type>(random.get_int(0, static_cast<int>(box.t_mesh.graph().number_of_faces()))));
     const int axis = random.get_int(0, 2);
     const auto size = axis == 0 ? editor.coordinates().width(f) : editor.coordinates().height(f);
     REQUIRE(editor.split_face(f, axis, Carried_box::FT(size * random.get_int(1, 4) / 4)));
   }
   check_covered(box);
-  const std::size_t before = box.t_mesh.number_of_faces();
-  T::regularize_T_mesh(box.t_mesh, box.knots, box.corners, CGAL::parameters::visitor(visitor));
-  CHECK(box.t_mesh.number_of_faces() != before);
+  const std::size_t before = box.t_mesh.graph().number_of_faces();
+  T::regularize_T_mesh(box.t_mesh, CGAL::parameters::visitor(visitor));
+  CHECK(box.t_mesh.graph().number_of_faces() != before);
   check_covered(box);
 }

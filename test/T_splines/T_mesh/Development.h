@@ -82,12 +82,12 @@ struct Scaling_group {
 };
 
 // The map of each face's frame to the plane, kept up to date by the visitor.
-template <typename TMesh, typename FT>
+template <typename Graph, typename FT>
 class Development {
 public:
-  using face_descriptor = typename boost::graph_traits<TMesh>::face_descriptor;
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
   using Similarity = CGAL::T_splines::Similarity_2<FT>;
-  using Piece = CGAL::T_splines::T_mesh_piece<TMesh, FT>;
+  using Piece = CGAL::T_splines::T_mesh_piece<Graph, FT>;
 
   class Visitor : public CGAL::T_splines::T_mesh_visitor {
   public:
@@ -108,9 +108,9 @@ public:
   template <typename Coordinates, typename Group>
   bool is_consistent(const Coordinates& coordinates, const Group& group) const
   {
-    const TMesh& mesh = coordinates.t_mesh();
+    const Graph& mesh = coordinates.t_mesh().graph();
     for (const auto h : halfedges(mesh)) {
-      const face_descriptor null = boost::graph_traits<TMesh>::null_face();
+      const face_descriptor null = boost::graph_traits<Graph>::null_face();
       const face_descriptor f = face(h, mesh), g = face(opposite(h, mesh), mesh);
       if (f != null && g != null &&
           !group.contains(compose(compose(of(g), coordinates.transition(h)), of(f).inverse())))
@@ -124,7 +124,7 @@ public:
   FT area(const Coordinates& coordinates) const
   {
     FT result(0);
-    for (const auto f : faces(coordinates.t_mesh()))
+    for (const auto f : faces(coordinates.t_mesh().graph()))
       result += coordinates.width(f) * coordinates.height(f) * of(f).scale() * of(f).scale();
     return result;
   }

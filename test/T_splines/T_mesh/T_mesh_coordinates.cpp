@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 
 #include "T_mesh/test_t_meshes.h"
 
@@ -28,12 +29,12 @@ TEMPLATE_TEST_CASE("frames of faces and the similarities between them", "[T_mesh
                    Polyhedron)
 {
   using Mesh = test_t_meshes::T_mesh<TestType, FT>;
-  using Coordinates = CGAL::T_splines::T_mesh_coordinates<TestType, typename Mesh::Knot_map, typename Mesh::Corner_map>;
+  using Coordinates = CGAL::T_splines::T_mesh_coordinates<CGAL::T_splines::Const_T_mesh_view_of<Mesh>>;
   for (const auto& faces_given :
        {test_t_meshes::cube<FT>(), test_t_meshes::torus<FT>(3, 2), test_t_meshes::folded_square<FT>(),
         test_t_meshes::genus_two<FT>(), test_t_meshes::pinwheel<FT>(FT(7) / 3), test_t_meshes::rectangle<FT>(2, 2)}) {
     Mesh t(faces_given);
-    const Coordinates coordinates(t.mesh, t.knots(), t.corners());
+    const Coordinates coordinates(t);
     for (const auto f : faces(t.mesh)) {
       const FT width = coordinates.width(f), height = coordinates.height(f);
       CHECK(coordinates.side(halfedge(f, t.mesh)) == 0);
@@ -59,12 +60,12 @@ TEMPLATE_TEST_CASE("frames of faces and the similarities between them", "[T_mesh
     }
     // Around regular vertices the transitions compose to the identity, around cones to k_v quarter turns about them.
     for (const auto v : vertices(t.mesh)) {
-      if (CGAL::T_splines::is_border_vertex(v, t.mesh))
+      if (CGAL::T_splines::is_border_vertex(v, t))
         continue;
       CGAL::T_splines::Similarity_2<FT> turn;
       for (const auto h : CGAL::halfedges_around_target(halfedge(v, t.mesh), t.mesh))
         turn = compose(coordinates.transition(next(h, t.mesh)), turn);
-      const int k = CGAL::T_splines::extended_valence(v, t.mesh, t.corners());
+      const int k = CGAL::T_splines::extended_valence(v, t);
       CHECK(turn.scale() == 1);
       CHECK((turn.quarter_turns() - k) % 4 == 0);
       const std::pair<FT, FT> p = coordinates.target_point(halfedge(v, t.mesh));
@@ -77,8 +78,7 @@ TEST_CASE("the frame follows the halfedge of the face", "[T_mesh_coordinates]")
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, FT>;
   Mesh t(test_t_meshes::pinwheel<FT>(3));
-  const CGAL::T_splines::T_mesh_coordinates<Surface_mesh, Mesh::Knot_map, Mesh::Corner_map> coordinates(
-      t.mesh, t.knots(), t.corners());
+  const CGAL::T_splines::T_mesh_coordinates coordinates(t);
   const auto f = t.face_list[1];
   CHECK(coordinates.width(f) == 4);
   CHECK(coordinates.height(f) == 2);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 
 #include <CGAL/T_splines/T_mesh/Carried_points.h>
 #include <CGAL/T_splines/T_mesh/is_admissible.h>
@@ -44,12 +45,12 @@ public:
   using Development = test_t_meshes::Development<TMesh, FT>;
   using Points = CGAL::T_splines::Carried_points<TMesh, FT, Plane_point<FT>>;
   using Visitor = CGAL::T_splines::T_mesh_visitor_pair<typename Development::Visitor, typename Points::Visitor>;
-  using Editor = CGAL::T_splines::T_mesh_editor<TMesh, typename Mesh::Knot_map, typename Mesh::Corner_map, Visitor>;
+  using Editor = CGAL::T_splines::T_mesh_editor<CGAL::T_splines::T_mesh_view_of<Mesh>, Visitor>;
   using Similarity = CGAL::T_splines::Similarity_2<FT>;
 
   explicit Scene(const test_t_meshes::Faces<FT>& faces)
     : mesh(faces),
-      editor(mesh.mesh, mesh.knots(), mesh.corners(), Visitor(development.visitor(), points.visitor()))
+      editor(mesh, Visitor(development.visitor(), points.visitor()))
   {
   }
 
@@ -100,8 +101,8 @@ public:
   {
     std::map<int, int> result;
     for (const auto v : vertices(mesh.mesh)) {
-      if (CGAL::T_splines::is_extraordinary(v, mesh.mesh, mesh.corners()))
-        ++result[CGAL::T_splines::extended_valence(v, mesh.mesh, mesh.corners())];
+      if (CGAL::T_splines::is_extraordinary(v, mesh))
+        ++result[CGAL::T_splines::extended_valence(v, mesh)];
     }
     return result;
   }
@@ -192,10 +193,9 @@ bool edit_randomly(Scene& scene, const std::size_t large, CGAL::Random& random, 
 template <typename Scene>
 bool is_admissible_where_touched(Scene& scene)
 {
-  const CGAL::T_splines::internal::Admissibility_check<typename Scene::Mesh::TMesh, typename Scene::Mesh::Knot_map,
-                                                       typename Scene::Mesh::Corner_map>
-      check(scene.mesh.mesh, scene.mesh.knots(), scene.mesh.corners(), 1e-9);
-  CGAL::T_splines::Admissibility_report<typename Scene::Mesh::TMesh> report;
+  const CGAL::T_splines::internal::Admissibility_check<CGAL::T_splines::T_mesh_view_of<typename Scene::Mesh>> check(
+      scene.mesh, 1e-9);
+  CGAL::T_splines::Admissibility_report<typename Scene::Mesh::Graph> report;
   for (const auto f : scene.development.touched()) {
     bool result = check.check_face(f, report);
     for (const auto h : CGAL::halfedges_around_face(halfedge(f, scene.mesh.mesh), scene.mesh.mesh))
@@ -244,7 +244,7 @@ void edit_and_check(Scene& scene, const Group& group, const bool has_area, const
       REQUIRE(bool(state(scene) == before));
     if (i % 100 != 0)
       continue;
-    REQUIRE(CGAL::T_splines::is_admissible(scene.mesh.mesh, scene.mesh.knots(), scene.mesh.corners()));
+    REQUIRE(CGAL::T_splines::is_admissible(scene.mesh));
     REQUIRE(scene.extraordinary_vertices() == cones);
     REQUIRE(scene.euler_characteristic() == euler_characteristic);
     REQUIRE(scene.development.is_consistent(scene.editor.coordinates(), group));
@@ -324,7 +324,7 @@ TEMPLATE_TEST_CASE("random operations with rounded knots keep them admissible", 
     for (int k = 0; k < 2000; ++k) {
       edit_randomly(scene, 160, random, done);
       if (k % 100 == 0)
-        REQUIRE(CGAL::T_splines::is_admissible(scene.mesh.mesh, scene.mesh.knots(), scene.mesh.corners()));
+        REQUIRE(CGAL::T_splines::is_admissible(scene.mesh));
     }
     CHECK(scene.extraordinary_vertices() == cones);
   }
@@ -334,8 +334,7 @@ namespace {
 
 template <typename FT>
 using Simple_editor =
-    CGAL::T_splines::T_mesh_editor<Surface_mesh, typename test_t_meshes::T_mesh<Surface_mesh, FT>::Knot_map,
-                                   typename test_t_meshes::T_mesh<Surface_mesh, FT>::Corner_map>;
+    CGAL::T_splines::T_mesh_editor<CGAL::T_splines::T_mesh_view_of<test_t_meshes::T_mesh<Surface_mesh, FT>>>;
 
 // One face above two, which meet at x; all of height 1/2.
 template <typename FT>
@@ -352,7 +351,7 @@ test_t_meshes::Faces<FT> t_joint(const FT& x)
 TEST_CASE("an edge that is a full side of two faces is removed", "[T_mesh_editor]")
 {
   test_t_meshes::T_mesh<Surface_mesh, Rational> t(test_t_meshes::rectangle<Rational>(2, 1));
-  Simple_editor<Rational> editor(t.mesh, t.knots(), t.corners());
+  Simple_editor<Rational> editor(t);
   SECTION("the left face keeps its frame")
   {
     const auto h = t.halfedge_of(0, 1);
@@ -375,7 +374,7 @@ TEST_CASE("a flip inserts an orthogonal edge", "[T_mesh_editor]")
 {
   const Rational x = Rational(2) / 5;
   test_t_meshes::T_mesh<Surface_mesh, Rational> t(t_joint(x));
-  Simple_editor<Rational> editor(t.mesh, t.knots(), t.corners());
+  Simple_editor<Rational> editor(t);
   const auto h = t.halfedge_of(1, 2);
   CHECK(editor.can_remove(h) == Status::NOT_A_FULL_SIDE);
   CHECK(editor.remove_edge(h).status == Status::NOT_A_FULL_SIDE);
@@ -386,13 +385,13 @@ TEST_CASE("a flip inserts an orthogonal edge", "[T_mesh_editor]")
   CHECK(editor.coordinates().width(f) == x);
   CHECK(editor.coordinates().height(f) == 1);
   CHECK(t.mesh.number_of_faces() == 3);
-  CHECK(CGAL::T_splines::is_admissible(t.mesh, t.knots(), t.corners()));
+  CHECK(CGAL::T_splines::is_admissible(t));
 }
 
 TEST_CASE("between cones only the middle of an edge can be removed", "[T_mesh_editor]")
 {
   test_t_meshes::T_mesh<Surface_mesh, Rational> t(test_t_meshes::cube<Rational>());
-  Simple_editor<Rational> editor(t.mesh, t.knots(), t.corners());
+  Simple_editor<Rational> editor(t);
   const auto h = t.halfedge_of(0, 0);
   CHECK(editor.can_remove(h) == Status::FIXED_VERTEX);
   CHECK(editor.flip_edge(h).status == Status::FIXED_VERTEX);
@@ -405,7 +404,7 @@ TEST_CASE("between cones only the middle of an edge can be removed", "[T_mesh_ed
   const auto edit = editor.remove_partly(h, Rational(1) / 4, Rational(3) / 4);
   REQUIRE(edit);
   CHECK(t.mesh.number_of_faces() == 9); // two faces became three each, two of these one
-  CHECK(CGAL::T_splines::is_admissible(t.mesh, t.knots(), t.corners()));
+  CHECK(CGAL::T_splines::is_admissible(t));
   const auto f = face(edit.halfedge, t.mesh);
   CHECK(editor.coordinates().width(f) == Rational(1) / 2);
   CHECK(editor.coordinates().height(f) == 2);
@@ -422,7 +421,7 @@ TEST_CASE("between cones only the middle of an edge can be removed", "[T_mesh_ed
 TEST_CASE("a T-joint is extended, an edge ends at a vertex that is there", "[T_mesh_editor]")
 {
   test_t_meshes::T_mesh<Surface_mesh, Rational> t(t_joint(Rational(Rational(1) / 3)));
-  Simple_editor<Rational> editor(t.mesh, t.knots(), t.corners());
+  Simple_editor<Rational> editor(t);
   CHECK(editor.extend(t.halfedge_of(0, 2)).status == Status::NO_T_JOINT);
   CHECK(editor.extend(opposite(t.halfedge_of(0, 2), t.mesh)).status == Status::NO_FACE);
   const auto vertices_before = t.mesh.number_of_vertices();
@@ -440,7 +439,7 @@ TEST_CASE("a T-joint is extended, an edge ends at a vertex that is there", "[T_m
 TEST_CASE("lines outside of a face are refused", "[T_mesh_editor]")
 {
   test_t_meshes::T_mesh<Surface_mesh, double> t(test_t_meshes::torus<double>(1, 1));
-  Simple_editor<double> editor(t.mesh, t.knots(), t.corners());
+  Simple_editor<double> editor(t);
   for (const double x : {0., 1., -1., 2., 1e-14, 1 - 1e-14, std::numeric_limits<double>::quiet_NaN(),
                          std::numeric_limits<double>::infinity()}) {
     CHECK(editor.split_face(t.face_list[0], 0, x).status == Status::OUTSIDE);
@@ -457,17 +456,17 @@ TEST_CASE("lines are shifted between their neighbours", "[T_mesh_editor]")
   SECTION("closed ones")
   {
     test_t_meshes::T_mesh<Surface_mesh, Rational> t(test_t_meshes::torus<Rational>(3, 1));
-    Simple_editor<Rational> editor(t.mesh, t.knots(), t.corners());
+    Simple_editor<Rational> editor(t);
     // Behind the row one comes back shifted by a column, so that all vertical edges are one line of length three.
     CHECK(editor.shift(t.halfedge_of(0, 0), 1).status == Status::OUTSIDE);
     REQUIRE(editor.shift(t.halfedge_of(0, 0), Rational(1) / 4));
     CHECK(editor.coordinates().height(t.face_list[0]) == 1); // the line is above and below
-    CHECK(CGAL::T_splines::is_admissible(t.mesh, t.knots(), t.corners()));
+    CHECK(CGAL::T_splines::is_admissible(t));
   }
   SECTION("between T-joints")
   {
     test_t_meshes::T_mesh<Surface_mesh, Rational> t(test_t_meshes::rectangle<Rational>(1, 3));
-    Simple_editor<Rational> editor(t.mesh, t.knots(), t.corners());
+    Simple_editor<Rational> editor(t);
     const auto cut = editor.split_face(t.face_list[1], 0, 1);
     REQUIRE(cut);
     CHECK(editor.shift(cut.halfedge, 1).status == Status::OUTSIDE);
@@ -476,16 +475,16 @@ TEST_CASE("lines are shifted between their neighbours", "[T_mesh_editor]")
     CHECK(editor.coordinates().width(t.face_list[1]) == Rational(3) / 2);
     CHECK(editor.coordinates().width(face(opposite(cut.halfedge, t.mesh), t.mesh)) == Rational(1) / 2);
     CHECK(get(t.knots(), opposite(t.halfedge_of(1, 0), t.mesh)) == Rational(3) / 4); // a unit of 1 instead of 2
-    CHECK(CGAL::T_splines::is_admissible(t.mesh, t.knots(), t.corners()));
+    CHECK(CGAL::T_splines::is_admissible(t));
   }
   SECTION("not those that are held")
   {
     test_t_meshes::T_mesh<Surface_mesh, Rational> t(test_t_meshes::rectangle<Rational>(2, 1));
-    Simple_editor<Rational> editor(t.mesh, t.knots(), t.corners());
+    Simple_editor<Rational> editor(t);
     CHECK(editor.shift(t.halfedge_of(0, 1), Rational(1) / 4).status == Status::NO_FREE_LINE);
     CHECK(editor.shift(t.halfedge_of(0, 0), Rational(1) / 4).status == Status::NO_FACE);
     test_t_meshes::T_mesh<Surface_mesh, Rational> cube(test_t_meshes::cube<Rational>());
-    Simple_editor<Rational> cube_editor(cube.mesh, cube.knots(), cube.corners());
+    Simple_editor<Rational> cube_editor(cube);
     CHECK(cube_editor.shift(cube.halfedge_of(0, 0), Rational(1) / 4).status == Status::FIXED_VERTEX);
   }
 }
@@ -493,14 +492,14 @@ TEST_CASE("lines are shifted between their neighbours", "[T_mesh_editor]")
 TEST_CASE("a vertex is inserted into an edge and removed again", "[T_mesh_editor]")
 {
   test_t_meshes::T_mesh<Surface_mesh, Rational> t(test_t_meshes::cube<Rational>());
-  Simple_editor<Rational> editor(t.mesh, t.knots(), t.corners());
+  Simple_editor<Rational> editor(t);
   const auto h = t.halfedge_of(1, 2);
   const auto edit = editor.insert_vertex(h, Rational(1) / 2);
   REQUIRE(edit);
   CHECK(next(edit.halfedge, t.mesh) == h);
   CHECK(get(t.knots(), edit.halfedge) == Rational(1) / 2);
   CHECK(get(t.knots(), h) == Rational(3) / 2);
-  CHECK(CGAL::T_splines::is_admissible(t.mesh, t.knots(), t.corners()));
+  CHECK(CGAL::T_splines::is_admissible(t));
   CHECK(editor.remove_vertex(h).status == Status::FIXED_VERTEX);
   REQUIRE(editor.remove_vertex(edit.halfedge));
   CHECK(get(t.knots(), edit.halfedge) == 2);

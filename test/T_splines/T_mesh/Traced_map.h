@@ -8,6 +8,7 @@
 #include "T_mesh_checker.h"
 
 #include <CGAL/T_splines/Similarity_map/make_exactly_seamless.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/trace_motorcycle_graph.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -23,13 +24,13 @@
 
 /// A map made exactly seamless, and its motorcycle graph with everything that the tracer can tell about it.
 /// \tparam NT of knots and places
-template <typename TriangleMesh, typename TMesh, typename NT>
+template <typename TriangleMesh, typename Graph, typename NT>
 struct Traced_map {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Point_2 = Kernel::Point_2;
   using Point_3 = Kernel::Point_3;
   using Surface = boost::graph_traits<TriangleMesh>;
-  using Graph = boost::graph_traits<TMesh>;
+  using Traits = boost::graph_traits<Graph>;
   template <typename Key, typename Value>
   using Map = boost::associative_property_map<std::map<Key, Value>>;
 
@@ -39,14 +40,21 @@ struct Traced_map {
   CGAL::T_splines::Exact_map_report<TriangleMesh> map_report;
   CGAL::T_splines::Motorcycle_graph_report report;
 
-  TMesh t_mesh;
-  std::map<typename Graph::halfedge_descriptor, NT> knots;
-  std::map<typename Graph::halfedge_descriptor, bool> corners;
-  std::map<typename Graph::face_descriptor, CGAL::T_splines::T_mesh_anchor<TriangleMesh, Exact>> anchors;
-  std::map<typename Surface::vertex_descriptor, CGAL::T_splines::T_mesh_place<TMesh, NT>> places;
-  std::map<typename Graph::vertex_descriptor, typename Surface::vertex_descriptor> origins;
-  std::map<typename Graph::vertex_descriptor, Point_3> points;
-  std::map<typename Graph::edge_descriptor, std::vector<Point_3>> polylines;
+  Graph graph;
+  std::map<typename Traits::halfedge_descriptor, NT> knots;
+  std::map<typename Traits::halfedge_descriptor, bool> corners;
+  std::map<typename Traits::face_descriptor, CGAL::T_splines::T_mesh_anchor<TriangleMesh, Exact>> anchors;
+  std::map<typename Surface::vertex_descriptor, CGAL::T_splines::T_mesh_place<Graph, NT>> places;
+  std::map<typename Traits::vertex_descriptor, typename Surface::vertex_descriptor> origins;
+  std::map<typename Traits::vertex_descriptor, Point_3> points;
+  std::map<typename Traits::edge_descriptor, std::vector<Point_3>> polylines;
+
+  using View = CGAL::T_splines::T_mesh_view<const Graph, Map<typename Traits::halfedge_descriptor, NT>,
+                                            Map<typename Traits::halfedge_descriptor, bool>>;
+
+  /// The T-mesh.
+  View view() const { return {graph, map_of(knots), map_of(corners)}; }
+  auto view() { return CGAL::T_splines::T_mesh_view(graph, map_of(knots), map_of(corners)); }
 
   explicit Traced_map(const Plain_map& plain) : mesh(test_meshes::face_graph<TriangleMesh>(plain)), map(mesh)
   {
@@ -83,7 +91,7 @@ struct Traced_map {
 
   Exact_t_mesh exact_t_mesh() const
   {
-    Exact_t_mesh_reader<TMesh> reader(t_mesh, map_of(knots), map_of(corners));
+    Exact_t_mesh_reader<View> reader(view());
     reader.read_anchors(mesh, map_of(anchors));
     reader.read_places(mesh, map_of(places));
     reader.read_origins(mesh, map_of(origins));
@@ -105,7 +113,7 @@ private:
     map_report = make_exactly_seamless(mesh, map_of(uv), map);
     if (map_report.success())
       report = trace_motorcycle_graph(
-          map, t_mesh, map_of(knots), map_of(corners),
+          map, view(),
           face_anchor_map(
               map_of(anchors),
               vertex_place_map(

@@ -35,8 +35,7 @@ using test_t_meshes::Faces;
 template <typename Mesh>
 double largest_ratio(Mesh& t)
 {
-  const CGAL::T_splines::T_mesh_coordinates<typename Mesh::TMesh, typename Mesh::Knot_map, typename Mesh::Corner_map>
-      coordinates(t.mesh, t.knots(), t.corners());
+  const CGAL::T_splines::T_mesh_coordinates coordinates(t);
   const auto size = [&](const auto f) {
     return std::max(CGAL::to_double(coordinates.width(f)), CGAL::to_double(coordinates.height(f)));
   };
@@ -55,7 +54,7 @@ double largest_ratio(Mesh& t)
 template <typename Mesh>
 void make_uneven(Mesh& t, const int times)
 {
-  CGAL::T_splines::T_mesh_editor editor(t.mesh, t.knots(), t.corners());
+  CGAL::T_splines::T_mesh_editor editor(t);
   using FT = typename Mesh::FT;
   const auto f = t.face_list.front();
   for (int i = 0; i < times; ++i) {
@@ -79,12 +78,12 @@ TEMPLATE_TEST_CASE("sizes change gradually after grading", "[grade_T_mesh]", (st
       make_uneven(t, 8);
       const std::size_t before = num_faces(t.mesh);
       REQUIRE(largest_ratio(t) > 50);
-      const std::size_t splits = grade_T_mesh(t.mesh, t.knots(), t.corners(), ratio);
+      const std::size_t splits = grade_T_mesh(t, ratio);
       CHECK(num_faces(t.mesh) == before + splits);
       CHECK(largest_ratio(t) <= ratio * (1 + 1e-9));
-      CHECK(CGAL::T_splines::is_admissible(t.mesh, t.knots(), t.corners()));
+      CHECK(CGAL::T_splines::is_admissible(t));
       CHECK(splits < 200); // some faces for each of the eight sizes
-      CHECK(grade_T_mesh(t.mesh, t.knots(), t.corners(), ratio) == 0);
+      CHECK(grade_T_mesh(t, ratio) == 0);
     }
   }
 }
@@ -92,14 +91,14 @@ TEMPLATE_TEST_CASE("sizes change gradually after grading", "[grade_T_mesh]", (st
 TEST_CASE("a graded T-mesh is not changed", "[grade_T_mesh]")
 {
   test_t_meshes::T_mesh<Surface_mesh, Rational> t(test_t_meshes::torus<Rational>(4, 3));
-  CHECK(grade_T_mesh(t.mesh, t.knots(), t.corners(), 3) == 0);
+  CHECK(grade_T_mesh(t, 3) == 0);
 }
 
 TEST_CASE("a T-mesh that was graded can be made spline compatible again", "[grade_T_mesh]")
 {
   test_t_meshes::T_mesh<Surface_mesh, Rational> t(test_t_meshes::cube<Rational>());
   make_uneven(t, 4);
-  REQUIRE(CGAL::T_splines::make_spline_compatible(t.mesh, t.knots(), t.corners()));
-  grade_T_mesh(t.mesh, t.knots(), t.corners(), 4);
-  CHECK(CGAL::T_splines::make_spline_compatible(t.mesh, t.knots(), t.corners()));
+  REQUIRE(CGAL::T_splines::make_spline_compatible(t));
+  grade_T_mesh(t, 4);
+  CHECK(CGAL::T_splines::make_spline_compatible(t));
 }

@@ -49,7 +49,7 @@ template <typename FT>
 CGAL::T_splines::Admissibility_report<Surface_mesh> report(const Faces<FT>& faces)
 {
   test_t_meshes::T_mesh<Surface_mesh, FT> t_mesh(faces);
-  return is_admissible(t_mesh.mesh, t_mesh.knots(), t_mesh.corners());
+  return is_admissible(t_mesh);
 }
 
 } // namespace
@@ -65,7 +65,7 @@ TEMPLATE_TEST_CASE("T-meshes with cones, scale factors and borders are admissibl
         test_t_meshes::folded_square<FT>(), test_t_meshes::pillow<FT>(), test_t_meshes::genus_two<FT>(),
         test_t_meshes::pinwheel<FT>(FT(3) / FT(2)), test_t_meshes::rectangle<FT>(3, 2)}) {
     test_t_meshes::T_mesh<TMesh, FT> t_mesh(faces);
-    const auto r = is_admissible(t_mesh.mesh, t_mesh.knots(), t_mesh.corners());
+    const auto r = is_admissible(t_mesh);
     INFO(message(r.status) << ", " << r.defect);
     CHECK(r);
     CHECK(r.success());
@@ -110,7 +110,7 @@ TEST_CASE("defects are named with the element and their size", "[is_admissible]"
   using FT = double;
   Faces<FT> faces = test_t_meshes::torus<FT>(3, 2);
   test_t_meshes::T_mesh<Surface_mesh, FT> t_mesh(faces);
-  const auto check = [&] { return is_admissible(t_mesh.mesh, t_mesh.knots(), t_mesh.corners()); };
+  const auto check = [&] { return is_admissible(t_mesh); };
   const auto h = t_mesh.halfedge_of(4, 1);
   REQUIRE(check());
 
@@ -152,8 +152,7 @@ TEST_CASE("defects are named with the element and their size", "[is_admissible]"
     put(t_mesh.knots(), h, knot * (1 + 1e-6));
     CHECK(check().status == Status::OPPOSITE_SIDES_DIFFER);
     CHECK(std::abs(check().defect) == Approx(1e-6));
-    CHECK(is_admissible(t_mesh.mesh, t_mesh.knots(), t_mesh.corners(),
-                        CGAL::T_splines::parameters::relative_tolerance(1e-5)));
+    CHECK(is_admissible(t_mesh, CGAL::T_splines::parameters::relative_tolerance(1e-5)));
     put(t_mesh.knots(), h, knot * (1 + 1e-12));
     CHECK(check());
   }
@@ -176,9 +175,8 @@ TEST_CASE("extended valences", "[is_admissible]")
     test_t_meshes::T_mesh<Surface_mesh, double> t(faces);
     std::vector<int> result;
     for (const auto v : vertices(t.mesh)) {
-      result.push_back(extended_valence(v, t.mesh, t.corners()));
-      CHECK(is_extraordinary(v, t.mesh, t.corners()) ==
-            (result.back() != (CGAL::T_splines::is_border_vertex(v, t.mesh) ? 2 : 4)));
+      result.push_back(extended_valence(v, t));
+      CHECK(is_extraordinary(v, t) == (result.back() != (CGAL::T_splines::is_border_vertex(v, t) ? 2 : 4)));
     }
     std::sort(result.begin(), result.end());
     return result;

@@ -34,7 +34,7 @@ using CGAL::T_splines::is_spline_compatible;
 template <typename Mesh>
 auto report_of(Mesh& t)
 {
-  return is_spline_compatible(t.mesh, t.knots(), t.corners());
+  return is_spline_compatible(t);
 }
 
 template <typename FT>
@@ -65,8 +65,7 @@ template <typename Mesh>
 void divide_inner_squares(Mesh& t, const int sectors, const int n)
 {
   using FT = typename Mesh::FT;
-  CGAL::T_splines::T_mesh_editor<typename Mesh::TMesh, typename Mesh::Knot_map, typename Mesh::Corner_map> editor(
-      t.mesh, t.knots(), t.corners());
+  CGAL::T_splines::T_mesh_editor editor(t);
   for (int s = 0; s < sectors; ++s) {
     const int square = n * n * s;
     const FT third = FT(square + 1) / FT(3);
@@ -160,15 +159,14 @@ TEST_CASE("condition A names the vertex and a face of its rings", "[is_spline_co
     Mesh t(test_t_meshes::cube<Rational>());
     const auto report = report_of(t);
     CHECK(report.status == Status::IRREGULAR_RINGS);
-    CHECK(extended_valence(report.vertex, t.mesh, t.corners()) == 3);
+    CHECK(extended_valence(report.vertex, t) == 3);
     CHECK(report.face != Surface_mesh::null_face());
   }
   SECTION("where a face is not square, or has a T-joint")
   {
     const int n = 6;
     Mesh t(test_t_meshes::star<Rational>(5, n));
-    CGAL::T_splines::T_mesh_editor<Surface_mesh, Mesh::Knot_map, Mesh::Corner_map> editor(t.mesh, t.knots(),
-                                                                                          t.corners());
+    CGAL::T_splines::T_mesh_editor editor(t);
     const int x = GENERATE(0, 1, 2, 3), y = GENERATE(0, 1, 2, 3);
     const Surface_mesh::Face_index f = t.face_list[n * n + n * y + x];
     REQUIRE(editor.split_face(f, 0, editor.coordinates().width(f) / 2));
@@ -212,7 +210,7 @@ TEST_CASE("cones of one or two quarter turns need rings as others do", "[is_spli
     Mesh t(faces);
     const auto report = report_of(t);
     CHECK(report.status == Status::IRREGULAR_RINGS);
-    CHECK(extended_valence(report.vertex, t.mesh, t.corners()) <= 2);
+    CHECK(extended_valence(report.vertex, t) <= 2);
   }
 }
 
@@ -222,7 +220,7 @@ TEST_CASE("a border that turns inwards is not supported", "[is_spline_compatible
       test_t_meshes::squares<double>({{0, 1, 2, 3}, {4, 5, 6, 1}, {2, 7, 8, 9}}));
   const auto report = report_of(t);
   CHECK(report.status == Status::UNSUPPORTED_BORDER_VERTEX);
-  CHECK(extended_valence(report.vertex, t.mesh, t.corners()) == 3);
+  CHECK(extended_valence(report.vertex, t) == 3);
 }
 
 TEST_CASE("a border that meets itself is not supported", "[is_spline_compatible]")

@@ -1,13 +1,15 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/T_splines/T_mesh/T_mesh.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
 
 #include <CGAL/T_splines/IO/read_t_mesh.h>
 #include <CGAL/T_splines/T_mesh/Carried_points.h>
+#include <CGAL/T_splines/T_mesh/Surface_face_size.h>
 #include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
-#include <CGAL/T_splines/T_mesh/Surface_face_size.h>
 
 #include "Spline/Spline_mesh.h"
 #include "T_mesh/Development.h"
@@ -41,7 +43,6 @@ using CGAL::T_splines::is_spline_compatible;
 using CGAL::T_splines::make_spline_compatible;
 using test_t_meshes::Faces;
 
-template <typename Mesh>
 struct Numbers {
   std::size_t vertices = 0, faces = 0, edges = 0;
   std::map<int, int> cones; // valence -> how many
@@ -52,34 +53,33 @@ struct Numbers {
   }
 };
 
-template <typename TMesh, typename Corners>
-Numbers<TMesh> numbers_of(const TMesh& mesh, const Corners corners)
+template <typename TMesh>
+Numbers numbers_of(const TMesh& t_mesh)
 {
-  Numbers<TMesh> result;
-  for (const auto v : CGAL::make_range(vertices(mesh))) {
+  Numbers result;
+  for (const auto v : CGAL::make_range(vertices(t_mesh.graph()))) {
     ++result.vertices;
-    if (CGAL::T_splines::is_extraordinary(v, mesh, corners))
-      ++result.cones[CGAL::T_splines::extended_valence(v, mesh, corners)];
+    if (CGAL::T_splines::is_extraordinary(v, t_mesh))
+      ++result.cones[CGAL::T_splines::extended_valence(v, t_mesh)];
   }
-  const auto e = edges(mesh);
-  const auto f = faces(mesh);
+  const auto e = edges(t_mesh.graph());
+  const auto f = faces(t_mesh.graph());
   result.edges = std::distance(e.begin(), e.end());
   result.faces = std::distance(f.begin(), f.end());
   return result;
 }
 
 // Makes a T-mesh spline compatible and checks what must hold then.
-template <typename TMesh, typename Knots, typename Corners, typename Visitor = CGAL::T_splines::T_mesh_visitor>
-CGAL::T_splines::Spline_refinement_report<TMesh> make_and_check(TMesh& mesh, const Knots knots, const Corners corners,
-                                                                const Visitor& visitor = Visitor())
+template <typename TMesh, typename Visitor = CGAL::T_splines::T_mesh_visitor>
+auto make_and_check(TMesh&& t_mesh, const Visitor& visitor = Visitor())
 {
-  const auto before = numbers_of(mesh, corners);
-  const auto report = make_spline_compatible(mesh, knots, corners, CGAL::parameters::visitor(visitor));
-  const auto after = numbers_of(mesh, corners);
+  const auto before = numbers_of(t_mesh);
+  const auto report = make_spline_compatible(t_mesh, CGAL::parameters::visitor(visitor));
+  const auto after = numbers_of(t_mesh);
   INFO(message(report.status));
   CHECK(report.success());
-  CHECK(is_admissible(mesh, knots, corners));
-  CHECK(is_spline_compatible(mesh, knots, corners));
+  CHECK(is_admissible(t_mesh));
+  CHECK(is_spline_compatible(t_mesh));
   CHECK(after.cones == before.cones);
   CHECK(after.euler_characteristic() == before.euler_characteristic());
   CHECK(report.vertices_before == before.vertices);
@@ -90,7 +90,7 @@ CGAL::T_splines::Spline_refinement_report<TMesh> make_and_check(TMesh& mesh, con
                                   report.splits_of_reaching_supports + report.splits_of_endless_supports);
   CHECK_FALSE(report.is_limit_reached);
   // Once more, nothing changes.
-  CHECK(make_spline_compatible(mesh, knots, corners).faces_after == after.faces);
+  CHECK(make_spline_compatible(t_mesh).faces_after == after.faces);
   return report;
 }
 
@@ -124,12 +124,12 @@ public:
   using Development = test_t_meshes::Development<TMesh, Rational>;
   using Points = CGAL::T_splines::Carried_points<TMesh, Rational, Point>;
   using Similarity = CGAL::T_splines::Similarity_2<Rational>;
-  using Coordinates = CGAL::T_splines::T_mesh_coordinates<TMesh, typename Mesh::Knot_map, typename Mesh::Corner_map>;
+  using Coordinates = CGAL::T_splines::T_mesh_coordinates<CGAL::T_splines::Const_T_mesh_view_of<Mesh>>;
 
   // Square number i has the unit i + 1.
   explicit Scene(const Faces<Rational>& faces) : mesh(faces)
   {
-    const Coordinates coordinates(mesh.mesh, mesh.knots(), mesh.corners());
+    const Coordinates coordinates(mesh);
     const int n = 7;
     for (std::size_t s = 0; s < mesh.face_list.size(); ++s) {
       const auto f = mesh.face_list[s];
@@ -151,7 +151,7 @@ public:
 
   bool points_stay()
   {
-    const Coordinates coordinates(mesh.mesh, mesh.knots(), mesh.corners());
+    const Coordinates coordinates(mesh);
     const test_t_meshes::Lattice_group lattice;
     std::size_t count = 0;
     for (const auto f : faces(mesh.mesh))
@@ -170,20 +170,15 @@ public:
   std::size_t number_of_points = 0;
 };
 
-// The T-meshes of files.
-struct Read_t_mesh {
-  Surface_mesh mesh;
-  Surface_mesh::Property_map<Surface_mesh::Halfedge_index, double> knots =
-      mesh.add_property_map<Surface_mesh::Halfedge_index, double>("h:knot").first;
-  Surface_mesh::Property_map<Surface_mesh::Halfedge_index, bool> corners =
-      mesh.add_property_map<Surface_mesh::Halfedge_index, bool>("h:corner").first;
+using Read_t_mesh = CGAL::T_splines::T_mesh<Surface_mesh::Point>;
 
-  explicit Read_t_mesh(const std::string& name)
-  {
-    const std::string file = std::string(T_SPLINES_TEST_DATA) + "/good_t_meshes/" + name;
-    REQUIRE(CGAL::T_splines::read_t_mesh(file, mesh, knots, corners).success());
-  }
-};
+// The T-mesh of a file.
+Read_t_mesh read(const std::string& name)
+{
+  Read_t_mesh t_mesh;
+  REQUIRE(CGAL::T_splines::read_t_mesh(std::string(T_SPLINES_TEST_DATA) + "/good_t_meshes/" + name, t_mesh).success());
+  return t_mesh;
+}
 
 } // namespace
 
@@ -197,23 +192,23 @@ TEMPLATE_TEST_CASE("T-meshes become spline compatible", "[make_spline_compatible
   for (const Faces<FT>& faces : catalogue<FT>()) {
     INFO("T-mesh " << i++);
     Mesh t(faces);
-    make_and_check(t.mesh, t.knots(), t.corners());
+    make_and_check(t);
   }
 }
 
 TEST_CASE("refined T-meshes become spline compatible", "[make_spline_compatible]")
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
-  using Coordinates = CGAL::T_splines::T_mesh_coordinates<Surface_mesh, Mesh::Knot_map, Mesh::Corner_map>;
+  using Coordinates = CGAL::T_splines::T_mesh_coordinates<CGAL::T_splines::Const_T_mesh_view_of<Mesh>>;
   const std::size_t splits = GENERATE(1, 3, 5, 30, 100, 500);
   int i = 0;
   for (const Faces<double>& faces : catalogue<double>()) {
     INFO("T-mesh " << i++);
     Mesh t(faces);
-    const Coordinates coordinates(t.mesh, t.knots(), t.corners());
-    const CGAL::T_splines::Parametric_face_size<Surface_mesh, Mesh::Knot_map, Mesh::Corner_map> size(coordinates);
-    refine_T_mesh(t.mesh, t.knots(), t.corners(), size, 0.01, CGAL::parameters::number_of_iterations(splits));
-    make_and_check(t.mesh, t.knots(), t.corners());
+    const Coordinates coordinates(t);
+    const CGAL::T_splines::Parametric_face_size size(coordinates);
+    refine_T_mesh(t, size, 0.01, CGAL::parameters::number_of_iterations(splits));
+    make_and_check(t);
   }
 }
 
@@ -222,21 +217,21 @@ TEMPLATE_TEST_CASE("T-meshes that spiral become spline compatible, by few splits
 {
   using FT = TestType;
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, FT>;
-  using Editor = CGAL::T_splines::T_mesh_editor<Surface_mesh, typename Mesh::Knot_map, typename Mesh::Corner_map>;
+  using Editor = CGAL::T_splines::T_mesh_editor<CGAL::T_splines::T_mesh_view_of<Mesh>>;
   CGAL::Random random(1);
   for (const FT& scale : {FT(FT(3) / FT(2)), FT(FT(9) / FT(8)), FT(4)})
     for (const bool is_turning : {false, true})
       for (const int splits : {0, 1, 2, 5, 12, 40}) {
         INFO("scale " << scale << (is_turning ? ", turning, " : ", ") << splits << " splits");
         Mesh t(is_turning ? spline_tests::turning_pinwheel<FT>(scale) : test_t_meshes::pinwheel<FT>(scale));
-        Editor editor(t.mesh, t.knots(), t.corners());
+        Editor editor(t);
         for (int i = 0; i < splits; ++i) { // anywhere: the faces may be long and narrow
           const auto f = *std::next(faces(t.mesh).begin(), random.get_int(0, static_cast<int>(num_faces(t.mesh))));
           const int axis = random.get_int(0, 2);
           const FT size = axis == 0 ? editor.coordinates().width(f) : editor.coordinates().height(f);
           editor.split_face(f, axis, FT(size * FT(random.get_int(1, 16)) / FT(16)));
         }
-        const auto report = make_and_check(t.mesh, t.knots(), t.corners());
+        const auto report = make_and_check(t);
         CHECK(report.splits_for_rings + report.splits_of_reaching_supports == 0);
         CHECK(report.splits_of_endless_supports <= 100); // faces of half their distance from the centre
       }
@@ -246,8 +241,7 @@ TEST_CASE("T-meshes of files become spline compatible", "[make_spline_compatible
 {
   for (const char* name : {"torus_of_one_face.ply", "scaled_torus.ply", "cube.ply"}) {
     INFO(name);
-    Read_t_mesh t(name);
-    make_and_check(t.mesh, t.knots, t.corners);
+    make_and_check(read(name));
   }
 }
 
@@ -264,9 +258,7 @@ TEST_CASE("motorcycle graphs become spline compatible", "[make_spline_compatible
     INFO("surface " << i++);
     Traced traced(map);
     REQUIRE(traced.success());
-    const auto knots = boost::make_assoc_property_map(traced.knots);
-    const auto corners = boost::make_assoc_property_map(traced.corners);
-    make_and_check(traced.t_mesh, knots, corners);
+    make_and_check(traced.view());
   }
 }
 
@@ -275,7 +267,7 @@ TEMPLATE_TEST_CASE("points stay where they are on the surface", "[make_spline_co
   for (const auto& faces : {test_t_meshes::cube<Rational>(), test_t_meshes::torus<Rational>(2, 1),
                             test_t_meshes::genus_two<Rational>(), test_t_meshes::star<Rational>(5, 1)}) {
     Scene<TestType> scene(faces);
-    make_and_check(scene.mesh.mesh, scene.mesh.knots(), scene.mesh.corners(), scene.visitor());
+    make_and_check(scene.mesh, scene.visitor());
     CHECK(scene.points_stay());
   }
 }
@@ -288,26 +280,26 @@ TEST_CASE("no more is inserted than needed", "[make_spline_compatible]")
     for (const auto& faces : {test_t_meshes::torus<Rational>(4, 5), test_t_meshes::rectangle<Rational>(3, 4),
                               test_t_meshes::star<Rational>(5, 5)}) {
       Mesh t(faces);
-      CHECK(make_and_check(t.mesh, t.knots(), t.corners()).faces_after == faces.size());
+      CHECK(make_and_check(t).faces_after == faces.size());
     }
   }
   SECTION("a rectangle needs three rows and columns")
   {
     Mesh t(test_t_meshes::rectangle<Rational>(1, 1));
-    const auto report = make_and_check(t.mesh, t.knots(), t.corners());
+    const auto report = make_and_check(t);
     CHECK(report.faces_after == 9);
     CHECK(report.splits_at_border == 8);
   }
   SECTION("on a torus, one face is enough")
   {
     Mesh t(test_t_meshes::torus<Rational>(1, 1));
-    const auto report = make_and_check(t.mesh, t.knots(), t.corners());
+    const auto report = make_and_check(t);
     CHECK(report.faces_after == 1);
   }
   SECTION("on a cube, rings meet in the middle of edges")
   {
     Mesh t(test_t_meshes::cube<Rational>());
-    const auto report = make_and_check(t.mesh, t.knots(), t.corners());
+    const auto report = make_and_check(t);
     CHECK(report.faces_after == 6 * 36);
     CHECK(report.vertices_in_rings == report.vertices_after - 6); // but for the middle of each side
     CHECK(report.extraordinary_vertices == 8);
@@ -328,7 +320,7 @@ TEST_CASE("rings are not much smaller than the edges allow", "[make_spline_compa
     faces[0][side].knot = x;
   Mesh t(faces);
   const auto cone = source(t.halfedge_of(0, 0), t.mesh);
-  make_and_check(t.mesh, t.knots(), t.corners());
+  make_and_check(t);
   for (const auto h : CGAL::halfedges_around_target(halfedge(cone, t.mesh), t.mesh)) {
     CHECK(get(t.knots(), h) <= 1 / 3.);
     CHECK(get(t.knots(), h) >= 0.75 / 4.5); // a border is at the ends
@@ -340,7 +332,7 @@ TEST_CASE("cones of one or two quarter turns get rings", "[make_spline_compatibl
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
   for (const auto& faces : {test_t_meshes::pillow<double>(), test_t_meshes::folded_square<double>()}) {
     Mesh t(faces);
-    make_and_check(t.mesh, t.knots(), t.corners());
+    make_and_check(t);
   }
 }
 
@@ -348,13 +340,13 @@ TEST_CASE("what cannot be helped is left as it is", "[make_spline_compatible]")
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
   const auto refused = [](Mesh& t) {
-    const auto before = numbers_of(t.mesh, t.corners());
-    const auto report = make_spline_compatible(t.mesh, t.knots(), t.corners());
-    const auto expected = is_spline_compatible(t.mesh, t.knots(), t.corners());
+    const auto before = numbers_of(t);
+    const auto report = make_spline_compatible(t);
+    const auto expected = is_spline_compatible(t);
     CHECK(report.status == expected.status);
     CHECK(report.vertex == expected.vertex);
     CHECK(report.face == expected.face);
-    const auto after = numbers_of(t.mesh, t.corners());
+    const auto after = numbers_of(t);
     CHECK(before.vertices == after.vertices);
     CHECK(before.faces == after.faces);
     return report.status;
@@ -370,14 +362,13 @@ TEST_CASE("the number of splits is bounded on demand", "[make_spline_compatible]
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, Rational>;
   Mesh full(test_t_meshes::cube<Rational>());
-  const std::size_t needed = make_spline_compatible(full.mesh, full.knots(), full.corners()).faces_after - 6;
+  const std::size_t needed = make_spline_compatible(full).faces_after - 6;
   for (const std::size_t limit : {std::size_t(0), std::size_t(5), needed - 1, needed}) {
     Mesh t(test_t_meshes::cube<Rational>());
-    const auto report =
-        make_spline_compatible(t.mesh, t.knots(), t.corners(), CGAL::parameters::number_of_iterations(limit));
+    const auto report = make_spline_compatible(t, CGAL::parameters::number_of_iterations(limit));
     CHECK(report.faces_after == 6 + limit);
     CHECK(report.success() == (limit == needed));
     CHECK(report.is_limit_reached == (limit < needed));
-    CHECK(is_admissible(t.mesh, t.knots(), t.corners()));
+    CHECK(is_admissible(t));
   }
 }

@@ -64,15 +64,12 @@ struct Changing_graph {
 
   explicit Changing_graph(const Plain_map& plain)
     : traced(plain),
-      roots(traced.t_mesh, boost::make_assoc_property_map(traced.anchors))
+      roots(traced.graph, boost::make_assoc_property_map(traced.anchors))
   {
     REQUIRE(traced.success());
     for (const auto& [v, place] : traced.places)
       points.add(place.face, place.u, place.v, v);
   }
-
-  auto knots() { return boost::make_assoc_property_map(traced.knots); }
-  auto corners() { return boost::make_assoc_property_map(traced.corners); }
 
   auto visitor()
   {
@@ -88,15 +85,15 @@ struct Changing_graph {
     using namespace CGAL::T_splines::parameters;
     traced.points.clear();
     traced.polylines.clear();
-    REQUIRE(place_T_mesh(traced.map, traced.t_mesh, knots(), corners(), roots,
+    REQUIRE(place_T_mesh(traced.map, traced.view(), roots,
                          edge_polyline_map(boost::make_assoc_property_map(traced.polylines),
                                            output_vertex_point_map(boost::make_assoc_property_map(traced.points)))));
     traced.places.clear();
-    for (const auto f : faces(traced.t_mesh))
+    for (const auto f : faces(traced.graph))
       for (const auto& p : points.points(f))
         traced.places[p.payload] = {f, p.u, p.v};
     CHECK(traced.places.size() == num_vertices(traced.mesh));
-    Exact_t_mesh_reader<TMesh> reader(traced.t_mesh, knots(), corners());
+    Exact_t_mesh_reader reader(traced.view());
     reader.read_places(traced.mesh, boost::make_assoc_property_map(traced.places));
     reader.read_origins(traced.mesh, boost::make_assoc_property_map(traced.origins));
     reader.read_points(boost::make_assoc_property_map(traced.points));
@@ -116,7 +113,7 @@ private:
     t_mesh.anchor.resize(t_mesh.number_of_faces());
     t_mesh.anchors_may_touch = true;
     for (const auto& root : roots.roots())
-      t_mesh.anchor[number(CGAL::make_range(faces(traced.t_mesh)), root.place.face)] = {
+      t_mesh.anchor[number(CGAL::make_range(faces(traced.graph)), root.place.face)] = {
           number(faces(traced.mesh), root.anchor.triangle), exact_similarity(root.anchor.to_face)};
   }
 };
@@ -155,23 +152,19 @@ TEMPLATE_TEST_CASE("After regularization and refinement the T-mesh lies on the s
 {
   for (const Plain_map& map : maps()) {
     Changing_graph<TestType> graph(map);
-    auto& t_mesh = graph.traced.t_mesh;
-    const auto regularization = CGAL::T_splines::regularize_T_mesh(t_mesh, graph.knots(), graph.corners(),
-                                                                   CGAL::parameters::visitor(graph.visitor()));
+    const auto t_mesh = graph.traced.view();
+    const auto regularization = CGAL::T_splines::regularize_T_mesh(t_mesh, CGAL::parameters::visitor(graph.visitor()));
     const T_mesh_check regular = graph.check();
     INFO(regular.text());
     CHECK(regular.success());
     CHECK(regular.largest_aspect_ratio == Approx(regularization.worst_aspect_after));
     CHECK(regular.faces == static_cast<int>(regularization.faces_after));
-    auto knots = graph.knots();
-    auto corners = graph.corners();
-    using Coordinates = CGAL::T_splines::T_mesh_coordinates<TestType, decltype(knots), decltype(corners)>;
-    const CGAL::T_splines::Parametric_face_size<TestType, decltype(knots), decltype(corners)> size(
-        Coordinates(t_mesh, knots, corners));
+    const CGAL::T_splines::T_mesh_coordinates coordinates(t_mesh);
+    const CGAL::T_splines::Parametric_face_size size(coordinates);
     double largest = 0;
-    for (const auto f : faces(t_mesh))
+    for (const auto f : faces(t_mesh.graph()))
       largest = std::max({largest, size(f).first, size(f).second});
-    CGAL::T_splines::refine_T_mesh(t_mesh, knots, corners, size, largest / 4,
+    CGAL::T_splines::refine_T_mesh(t_mesh, size, largest / 4,
                                    CGAL::parameters::visitor(graph.visitor()).number_of_iterations(200));
     const T_mesh_check refined = graph.check();
     INFO(refined.text());

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
 
 #include <CGAL/T_splines/T_mesh/Surface_face_size.h>
@@ -33,11 +34,9 @@ using CGAL::T_splines::refine_T_mesh;
 using test_t_meshes::Faces;
 
 template <typename Mesh>
-using Coordinates =
-    CGAL::T_splines::T_mesh_coordinates<typename Mesh::TMesh, typename Mesh::Knot_map, typename Mesh::Corner_map>;
+using Coordinates = CGAL::T_splines::T_mesh_coordinates<CGAL::T_splines::Const_T_mesh_view_of<Mesh>>;
 template <typename Mesh>
-using Parametric_size =
-    CGAL::T_splines::Parametric_face_size<typename Mesh::TMesh, typename Mesh::Knot_map, typename Mesh::Corner_map>;
+using Parametric_size = CGAL::T_splines::Parametric_face_size<CGAL::T_splines::Const_T_mesh_view_of<Mesh>>;
 
 } // namespace
 
@@ -53,10 +52,10 @@ TEMPLATE_TEST_CASE("faces become smaller than the target, not much smaller", "[r
         test_t_meshes::rectangle<FT>(3, 2)}) {
     Mesh t(faces_given);
     const std::size_t faces_before = t.face_list.size();
-    const Coordinates<Mesh> coordinates(t.mesh, t.knots(), t.corners());
-    const auto report = refine_T_mesh(t.mesh, t.knots(), t.corners(), Parametric_size<Mesh>(coordinates), 0.3);
+    const Coordinates<Mesh> coordinates(t);
+    const auto report = refine_T_mesh(t, Parametric_size<Mesh>(coordinates), 0.3);
     CHECK(report.success());
-    CHECK(is_admissible(t.mesh, t.knots(), t.corners()));
+    CHECK(is_admissible(t));
     std::size_t count = 0;
     for (const auto f : faces(t.mesh)) {
       ++count;
@@ -72,8 +71,8 @@ TEST_CASE("a square splits evenly: no T-joints", "[refine_T_mesh]")
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, Rational>;
   Mesh t(test_t_meshes::torus<Rational>(1, 1));
-  const Coordinates<Mesh> coordinates(t.mesh, t.knots(), t.corners());
-  CHECK(refine_T_mesh(t.mesh, t.knots(), t.corners(), Parametric_size<Mesh>(coordinates), 0.125).splits == 63);
+  const Coordinates<Mesh> coordinates(t);
+  CHECK(refine_T_mesh(t, Parametric_size<Mesh>(coordinates), 0.125).splits == 63);
   for (const auto f : faces(t.mesh)) {
     CHECK(coordinates.width(f) == Rational(1) / 8);
     CHECK(coordinates.height(f) == Rational(1) / 8);
@@ -89,12 +88,12 @@ TEST_CASE("vertices in the middle third are used, others are kept away from", "[
     Mesh t({{{0, x, false}, {1, 1 - x, true}, {2, 0.5, true}, {3, 1., true}, {4, 0.5, true}},
             {{5, x, true}, {6, 0.5, true}, {0, x, true}, {7, 0.5, true}},
             {{8, 1 - x, true}, {9, 0.5, true}, {1, 1 - x, true}, {6, 0.5, true}}});
-    const Coordinates<Mesh> coordinates(t.mesh, t.knots(), t.corners());
-    REQUIRE(is_admissible(t.mesh, t.knots(), t.corners()));
+    const Coordinates<Mesh> coordinates(t);
+    REQUIRE(is_admissible(t));
     const auto size = [&](const Surface_mesh::Face_index f) {
       return std::make_pair(f == t.face_list[0] ? coordinates.width(f) : 0., 0.);
     };
-    CHECK(refine_T_mesh(t.mesh, t.knots(), t.corners(), size, 0.9).splits == 1);
+    CHECK(refine_T_mesh(t, size, 0.9).splits == 1);
     return coordinates.width(t.face_list[0]);
   };
   CHECK(split_at(0.4) == Approx(0.4));
@@ -107,10 +106,10 @@ TEST_CASE("sizes on a surface, by the points that the T-mesh carries", "[refine_
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, Rational>;
   using Points = CGAL::T_splines::Carried_points<Surface_mesh, double, Kernel::Point_3>;
-  using Size = CGAL::T_splines::Surface_face_size<Surface_mesh, Mesh::Knot_map, Mesh::Corner_map, Points>;
+  using Size = CGAL::T_splines::Surface_face_size<CGAL::T_splines::Const_T_mesh_view_of<Mesh>, Points>;
   // A round tube, 6 around and 10 long, glued to a torus in the parameter domain only.
   Mesh t(test_t_meshes::torus<Rational>(1, 1));
-  const Coordinates<Mesh> coordinates(t.mesh, t.knots(), t.corners());
+  const Coordinates<Mesh> coordinates(t);
   const int n = GENERATE(200, 40);
   Points points;
   const double pi = std::acos(-1.), radius = 6 / (2 * pi);
@@ -124,8 +123,7 @@ TEST_CASE("sizes on a surface, by the points that the T-mesh carries", "[refine_
   Size size(coordinates, points);
   CHECK(size(t.face_list[0]).first == Approx(6).epsilon(0.01));
   CHECK(size(t.face_list[0]).second == Approx(10).epsilon(0.01));
-  const auto report =
-      refine_T_mesh(t.mesh, t.knots(), t.corners(), size, 0.5, CGAL::parameters::visitor(size.visitor()));
+  const auto report = refine_T_mesh(t, size, 0.5, CGAL::parameters::visitor(size.visitor()));
   CHECK(report.success());
   for (const auto f : faces(t.mesh)) {
     CHECK(6 * CGAL::to_double(coordinates.width(f)) == Approx(0.375).epsilon(0.01));
@@ -134,8 +132,7 @@ TEST_CASE("sizes on a surface, by the points that the T-mesh carries", "[refine_
 
   SECTION("where the points get sparse, the old faces tell the size")
   {
-    const auto fine =
-        refine_T_mesh(t.mesh, t.knots(), t.corners(), size, 0.05, CGAL::parameters::visitor(size.visitor()));
+    const auto fine = refine_T_mesh(t, size, 0.05, CGAL::parameters::visitor(size.visitor()));
     CHECK(fine.success());
     for (const auto f : faces(t.mesh)) {
       CHECK(6 * CGAL::to_double(coordinates.width(f)) == Approx(0.046875).epsilon(0.01));
@@ -148,18 +145,16 @@ TEST_CASE("what cannot be refined is named", "[refine_T_mesh]")
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
   Mesh t(test_t_meshes::cube<double>());
-  const Coordinates<Mesh> coordinates(t.mesh, t.knots(), t.corners());
+  const Coordinates<Mesh> coordinates(t);
   const Parametric_size<Mesh> size(coordinates);
   const auto invalid = [&](const double target) {
-    return refine_T_mesh(t.mesh, t.knots(), t.corners(), size, target).status == Status::INVALID_TARGET &&
-           t.mesh.number_of_faces() == 6;
+    return refine_T_mesh(t, size, target).status == Status::INVALID_TARGET && t.mesh.number_of_faces() == 6;
   };
   CHECK(invalid(0));
   CHECK(invalid(-1));
   CHECK(invalid(std::numeric_limits<double>::quiet_NaN()));
 
-  const auto limited =
-      refine_T_mesh(t.mesh, t.knots(), t.corners(), size, 0.1, CGAL::parameters::number_of_iterations(std::size_t(7)));
+  const auto limited = refine_T_mesh(t, size, 0.1, CGAL::parameters::number_of_iterations(std::size_t(7)));
   CHECK(limited.status == Status::ITERATION_LIMIT);
   CHECK(limited.splits == 7);
   CHECK(t.mesh.number_of_faces() == 13);
@@ -168,7 +163,7 @@ TEST_CASE("what cannot be refined is named", "[refine_T_mesh]")
   const auto bad_size = [&](const Surface_mesh::Face_index f) {
     return f == bad ? std::make_pair(1., std::numeric_limits<double>::quiet_NaN()) : size(f);
   };
-  const auto not_finite = refine_T_mesh(t.mesh, t.knots(), t.corners(), bad_size, 0.5);
+  const auto not_finite = refine_T_mesh(t, bad_size, 0.5);
   CHECK(not_finite.status == Status::SIZE_NOT_FINITE);
   CHECK(not_finite.face == bad);
 }

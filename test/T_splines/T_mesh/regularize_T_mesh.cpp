@@ -1,13 +1,14 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
 
 #include <CGAL/T_splines/T_mesh/Carried_points.h>
 #include <CGAL/T_splines/T_mesh/is_admissible.h>
 
-#include "T_mesh/Development.h"
 #include "Spline/Planar_t_mesh.h"
+#include "T_mesh/Development.h"
 #include "T_mesh/test_t_meshes.h"
 
 #include <CGAL/Exact_rational.h>
@@ -36,13 +37,12 @@ using test_t_meshes::Faces;
 namespace parameters = CGAL::parameters;
 
 template <typename Mesh>
-using Coordinates =
-    CGAL::T_splines::T_mesh_coordinates<typename Mesh::TMesh, typename Mesh::Knot_map, typename Mesh::Corner_map>;
+using Coordinates = CGAL::T_splines::T_mesh_coordinates<CGAL::T_splines::Const_T_mesh_view_of<Mesh>>;
 
 template <typename Mesh>
 std::vector<double> aspect_ratios(Mesh& t)
 {
-  const Coordinates<Mesh> coordinates(t.mesh, t.knots(), t.corners());
+  const Coordinates<Mesh> coordinates(t);
   std::vector<double> result;
   for (const auto f : faces(t.mesh)) {
     const double a = CGAL::to_double(coordinates.width(f)), b = CGAL::to_double(coordinates.height(f));
@@ -59,7 +59,7 @@ void split_randomly(Editor& editor, const int splits, const int seed)
   using FT = typename Editor::FT;
   CGAL::Random random(seed);
   for (int i = 0; i < splits; ++i) {
-    const auto range = faces(editor.coordinates().t_mesh());
+    const auto range = faces(editor.coordinates().t_mesh().graph());
     const std::vector<typename Editor::face_descriptor> list(range.begin(), range.end());
     const auto f = list[random.get_int(0, static_cast<int>(list.size()))];
     const int axis = random.get_int(0, 2);
@@ -73,12 +73,12 @@ std::map<int, std::vector<int>> cones(Mesh& t)
 {
   std::map<int, std::vector<int>> result; // extended valence -> number of edges
   for (const auto v : vertices(t.mesh)) {
-    if (!CGAL::T_splines::is_extraordinary(v, t.mesh, t.corners()))
+    if (!CGAL::T_splines::is_extraordinary(v, t))
       continue;
     int edges = 0;
     for (const auto h : CGAL::halfedges_around_target(halfedge(v, t.mesh), t.mesh))
-      edges += h != boost::graph_traits<typename Mesh::TMesh>::null_halfedge();
-    result[CGAL::T_splines::extended_valence(v, t.mesh, t.corners())].push_back(edges);
+      edges += h != boost::graph_traits<typename Mesh::Graph>::null_halfedge();
+    result[CGAL::T_splines::extended_valence(v, t)].push_back(edges);
   }
   for (auto& r : result)
     std::sort(r.second.begin(), r.second.end());
@@ -94,7 +94,7 @@ TEMPLATE_TEST_CASE("narrow faces disappear, cones keep their edges", "[regulariz
   using TMesh = typename std::tuple_element<0, TestType>::type;
   using FT = typename std::tuple_element<1, TestType>::type;
   using Mesh = test_t_meshes::T_mesh<TMesh, FT>;
-  using Editor = CGAL::T_splines::T_mesh_editor<TMesh, typename Mesh::Knot_map, typename Mesh::Corner_map>;
+  using Editor = CGAL::T_splines::T_mesh_editor<CGAL::T_splines::T_mesh_view_of<Mesh>>;
   int seed = 0;
   for (const Faces<FT>& faces_given :
        {test_t_meshes::cube<FT>(), test_t_meshes::torus<FT>(3, 2), test_t_meshes::torus<FT>(1, 1),
@@ -102,12 +102,12 @@ TEMPLATE_TEST_CASE("narrow faces disappear, cones keep their edges", "[regulariz
         test_t_meshes::rectangle<FT>(3, 2)}) {
     INFO("surface " << seed);
     Mesh t(faces_given);
-    Editor editor(t.mesh, t.knots(), t.corners());
+    Editor editor(t);
     split_randomly(editor, 60, ++seed);
     const auto cones_before = cones(t);
     const std::vector<double> before = aspect_ratios(t);
-    const auto report = CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots(), t.corners());
-    CHECK(is_admissible(t.mesh, t.knots(), t.corners()));
+    const auto report = CGAL::T_splines::regularize_T_mesh(t);
+    CHECK(is_admissible(t));
     CHECK(cones(t) == cones_before);
     const std::vector<double> after = aspect_ratios(t);
     CHECK(report.faces_before == before.size());
@@ -122,7 +122,7 @@ TEMPLATE_TEST_CASE("narrow faces disappear, cones keep their edges", "[regulariz
     CHECK(report.removals + report.flips + report.partial_removals > 0);
 
     // Nothing is left to do, but where neighbours of a changed face have been considered before it.
-    const auto again = CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots(), t.corners());
+    const auto again = CGAL::T_splines::regularize_T_mesh(t);
     CHECK(again.worst_aspect_after <= report.worst_aspect_after);
   }
 }
@@ -133,7 +133,7 @@ TEST_CASE("points keep their places while a T-mesh is regularized", "[regularize
   using Development = test_t_meshes::Development<Surface_mesh, Rational>;
   using Points = CGAL::T_splines::Carried_points<Surface_mesh, Rational, std::pair<Rational, Rational>>;
   using Visitor = CGAL::T_splines::T_mesh_visitor_pair<Development::Visitor, Points::Visitor>;
-  using Editor = CGAL::T_splines::T_mesh_editor<Surface_mesh, Mesh::Knot_map, Mesh::Corner_map, Visitor>;
+  using Editor = CGAL::T_splines::T_mesh_editor<CGAL::T_splines::T_mesh_view_of<Mesh>, Visitor>;
   Mesh t(test_t_meshes::cube<Rational>());
   Development development;
   Points points;
@@ -146,9 +146,9 @@ TEST_CASE("points keep their places while a T-mesh is regularized", "[regularize
     }
   }
   const Visitor visitor(development.visitor(), points.visitor());
-  Editor editor(t.mesh, t.knots(), t.corners(), visitor);
+  Editor editor(t, visitor);
   split_randomly(editor, 60, 3);
-  const auto report = CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots(), t.corners(), parameters::visitor(visitor));
+  const auto report = CGAL::T_splines::regularize_T_mesh(t, parameters::visitor(visitor));
   CHECK(report.partial_removals > 0);
   CHECK(report.flips > 0);
   const test_t_meshes::Lattice_group lattice;
@@ -169,7 +169,7 @@ TEST_CASE("constraints and bounds", "[regularize_T_mesh]")
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
   Mesh t(test_t_meshes::torus<double>(1, 1));
-  CGAL::T_splines::T_mesh_editor<Surface_mesh, Mesh::Knot_map, Mesh::Corner_map> editor(t.mesh, t.knots(), t.corners());
+  CGAL::T_splines::T_mesh_editor editor(t);
   for (int i = 1; i < 10; ++i)
     REQUIRE(editor.split_face(t.face_list[0], 0, 1. - 0.1 * i));
   REQUIRE(t.mesh.number_of_faces() == 10);
@@ -181,8 +181,7 @@ TEST_CASE("constraints and bounds", "[regularize_T_mesh]")
       constrained[v] = true;
     const std::map<Surface_mesh::Vertex_index, bool> before = constrained;
     CGAL::T_splines::regularize_T_mesh(
-        t.mesh, t.knots(), t.corners(),
-        parameters::vertex_is_constrained_map(boost::make_assoc_property_map(constrained)));
+        t, parameters::vertex_is_constrained_map(boost::make_assoc_property_map(constrained)));
     for (const auto& v : before) {
       CHECK(t.mesh.is_valid(v.first));
       CHECK(degree(v.first, t.mesh) == 4);
@@ -190,14 +189,13 @@ TEST_CASE("constraints and bounds", "[regularize_T_mesh]")
   }
   SECTION("no operation is allowed")
   {
-    const auto report = CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots(), t.corners(),
-                                                           parameters::number_of_iterations(std::size_t(0)));
+    const auto report = CGAL::T_splines::regularize_T_mesh(t, parameters::number_of_iterations(std::size_t(0)));
     CHECK(report.faces_after == 10);
     CHECK(report.worst_aspect_after == Approx(10));
   }
   SECTION("without constraints")
   {
-    const auto report = CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots(), t.corners());
+    const auto report = CGAL::T_splines::regularize_T_mesh(t);
     CHECK(report.faces_after < 5);
     CHECK(report.worst_aspect_after < 3);
   }
@@ -207,7 +205,7 @@ TEST_CASE("a T-mesh without faces", "[regularize_T_mesh]")
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
   Mesh t{Faces<double>()};
-  CHECK(CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots(), t.corners()).faces_after == 0);
+  CHECK(CGAL::T_splines::regularize_T_mesh(t).faces_after == 0);
 }
 
 TEST_CASE("gaps between lines that end at opposite sides of a third one are closed", "[regularize_T_mesh]")
@@ -220,12 +218,11 @@ TEST_CASE("gaps between lines that end at opposite sides of a third one are clos
     plane.split(1, 0, x);
     test_t_meshes::T_mesh<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>, CGAL::Exact_rational> t(
         plane.faces<CGAL::Exact_rational>());
-    const auto report = CGAL::T_splines::regularize_T_mesh(t.mesh, t.knots(), t.corners());
+    const auto report = CGAL::T_splines::regularize_T_mesh(t);
     CHECK(report.closed_gaps == 2); // in the middle of the torus, and at its end
     CHECK(report.worst_aspect_after < 5);
-    CHECK(CGAL::T_splines::is_admissible(t.mesh, t.knots(), t.corners()));
-    const CGAL::T_splines::T_mesh_coordinates<decltype(t.mesh), decltype(t.knots()), decltype(t.corners())> coordinates(
-        t.mesh, t.knots(), t.corners());
+    CHECK(CGAL::T_splines::is_admissible(t));
+    const CGAL::T_splines::T_mesh_coordinates coordinates(t);
     for (const auto h : halfedges(t.mesh))
       CHECK(get(t.knots(), h) * 16 >= coordinates.side_length(h));
   }

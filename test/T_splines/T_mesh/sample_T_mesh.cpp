@@ -38,9 +38,7 @@ template <typename TriangleMesh, typename TMesh, typename NT>
 struct Sampled_map {
   using Traced = Traced_map<TriangleMesh, TMesh, NT>;
   using Sample = T::T_mesh_sample<TMesh, Kernel>;
-  using Knots = boost::associative_property_map<decltype(Traced::knots)>;
-  using Corners = boost::associative_property_map<decltype(Traced::corners)>;
-  using Coordinates = T::T_mesh_coordinates<TMesh, Knots, Corners>;
+  using Coordinates = T::T_mesh_coordinates<typename Traced::View>;
 
   Traced traced;
   std::vector<Sample> samples;
@@ -56,13 +54,12 @@ struct Sampled_map {
   void sample(const NamedParameters& np = CGAL::parameters::default_values())
   {
     samples.clear();
-    T::sample_T_mesh(traced.map, traced.t_mesh, Knots(traced.knots), Corners(traced.corners),
-                     boost::make_assoc_property_map(traced.anchors), boost::make_assoc_property_map(traced.places),
-                     std::back_inserter(samples), np);
+    T::sample_T_mesh(traced.map, traced.view(), boost::make_assoc_property_map(traced.anchors),
+                     boost::make_assoc_property_map(traced.places), std::back_inserter(samples), np);
   }
   void sample_about(const std::size_t number) { sample(T::parameters::number_of_samples(number)); }
 
-  Coordinates coordinates() { return Coordinates(traced.t_mesh, Knots(traced.knots), Corners(traced.corners)); }
+  Coordinates coordinates() { return T::T_mesh_coordinates(traced.view()); }
 
   std::vector<std::array<double, 3>> points() const { return plain_mesh(traced.mesh).points; }
 
@@ -322,8 +319,7 @@ TEST_CASE("Other points for the vertices, of another kernel", "[sample]")
     points[v] = Other_kernel::Point_3(float(2 * p.x()), float(2 * p.y()), float(2 * p.z()));
   }
   std::vector<T::T_mesh_sample<Surface_mesh, Other_kernel>> samples;
-  T::sample_T_mesh(map.traced.map, map.traced.t_mesh, Sampled::Knots(map.traced.knots),
-                   Sampled::Corners(map.traced.corners), boost::make_assoc_property_map(map.traced.anchors),
+  T::sample_T_mesh(map.traced.map, map.traced.view(), boost::make_assoc_property_map(map.traced.anchors),
                    boost::make_assoc_property_map(map.traced.places), std::back_inserter(samples),
                    CGAL::parameters::vertex_point_map(boost::make_assoc_property_map(points)));
   double weight = 0;

@@ -28,12 +28,12 @@ template <typename FT>
 using Faces = std::vector<std::vector<Halfedge<FT>>>;
 
 // A T-mesh with its two maps, in containers of their own: no model of MutableFaceGraph needs property maps that grow.
-template <typename TMesh_, typename FT_>
+template <typename Graph_, typename FT_>
 class T_mesh {
 public:
-  using TMesh = TMesh_;
+  using Graph = Graph_;
   using FT = FT_;
-  using Traits = boost::graph_traits<TMesh>;
+  using Traits = boost::graph_traits<Graph>;
   using vertex_descriptor = typename Traits::vertex_descriptor;
   using halfedge_descriptor = typename Traits::halfedge_descriptor;
   using face_descriptor = typename Traits::face_descriptor;
@@ -76,8 +76,10 @@ public:
   T_mesh(const T_mesh&) = delete;
   T_mesh& operator=(const T_mesh&) = delete;
 
-  Knot_map knots() { return Knot_map(m_knots); }
-  Corner_map corners() { return Corner_map(m_corners); }
+  Graph& graph() { return mesh; }
+  const Graph& graph() const { return mesh; }
+  Knot_map knots() const { return Knot_map(m_knots); }
+  Corner_map corners() const { return Corner_map(m_corners); }
 
   // Halfedge number i of face number f, as they were given; unless they have changed.
   halfedge_descriptor halfedge_of(const std::size_t f, const int i) const
@@ -88,7 +90,7 @@ public:
     return h;
   }
 
-  TMesh mesh;
+  Graph mesh;
   std::vector<face_descriptor> face_list; // in the order given
 
 private:
@@ -122,8 +124,8 @@ private:
     }
   }
 
-  Container<FT> m_knots;
-  Container<bool> m_corners;
+  mutable Container<FT> m_knots;
+  mutable Container<bool> m_corners;
 };
 
 // Multiplies all knots of a face: another unit, the same T-mesh.

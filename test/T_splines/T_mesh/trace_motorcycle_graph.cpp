@@ -12,6 +12,7 @@
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
 #include <CGAL/T_splines/Similarity_map/compute_seamless_similarity_map.h>
+#include <CGAL/T_splines/T_mesh/T_mesh.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>
@@ -344,9 +345,9 @@ struct Shape {
   std::size_t vertices, edges, faces, t_joints;
 
   explicit Shape(const Traced& traced)
-    : vertices(num_vertices(traced.t_mesh)),
-      edges(num_edges(traced.t_mesh)),
-      faces(num_faces(traced.t_mesh)),
+    : vertices(num_vertices(traced.graph)),
+      edges(num_edges(traced.graph)),
+      faces(num_faces(traced.graph)),
       t_joints(traced.report.t_joints)
   {
   }
@@ -586,12 +587,10 @@ TEST_CASE("An empty map, and a visitor that stops the work: the T-mesh stays emp
     CGAL::T_splines::Seamless_map<Surface_mesh> map(mesh);
     if (num_faces(mesh) > 0)
       REQUIRE(make_exactly_seamless(mesh, boost::make_assoc_property_map(uv), map).success());
-    Surface_mesh t_mesh;
-    const auto knots = t_mesh.add_property_map<Surface_mesh::Halfedge_index, Exact>("h:knot").first;
-    const auto corners = t_mesh.add_property_map<Surface_mesh::Halfedge_index, bool>("h:corner").first;
-    const auto report =
-        trace_motorcycle_graph(map, t_mesh, knots, corners, CGAL::parameters::visitor(Stopping_visitor(questions)));
-    CHECK(num_vertices(t_mesh) + num_halfedges(t_mesh) + num_faces(t_mesh) == (report.success() ? 8 + 24 + 6 : 0));
+    CGAL::T_splines::T_mesh<Kernel::Point_3, Exact> t_mesh;
+    const auto report = trace_motorcycle_graph(map, t_mesh, CGAL::parameters::visitor(Stopping_visitor(questions)));
+    const Surface_mesh& graph = t_mesh.graph();
+    CHECK(num_vertices(graph) + num_halfedges(graph) + num_faces(graph) == (report.success() ? 8 + 24 + 6 : 0));
     return report.status;
   };
   using Status = CGAL::T_splines::Motorcycle_graph_status;

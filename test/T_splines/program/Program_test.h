@@ -7,6 +7,7 @@
 #include "Program_run.h"
 
 #include <CGAL/T_splines/IO/read_t_mesh.h>
+#include <CGAL/T_splines/Spline/T_spline.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -73,21 +74,15 @@ inline std::set<std::string> files_of(const std::string& directory)
 }
 
 /// A T-mesh that the program wrote.
-struct Test_t_mesh {
-  Mesh mesh;
-  Mesh::Property_map<Mesh::Halfedge_index, double> knots =
-      mesh.add_property_map<Mesh::Halfedge_index, double>("h:knot").first;
-  Mesh::Property_map<Mesh::Halfedge_index, bool> corners =
-      mesh.add_property_map<Mesh::Halfedge_index, bool>("h:is_corner").first;
-
+struct Test_t_mesh : CGAL::T_splines::T_spline<Kernel> {
   CGAL::T_splines::T_mesh_reading_report read(const std::string& name)
   {
-    return CGAL::T_splines::read_t_mesh(name, mesh, knots, corners);
+    return CGAL::T_splines::read_t_mesh(name, *this);
   }
   long euler_characteristic() const
   {
-    return static_cast<long>(mesh.number_of_vertices()) - static_cast<long>(mesh.number_of_edges()) +
-           static_cast<long>(mesh.number_of_faces());
+    return static_cast<long>(graph().number_of_vertices()) - static_cast<long>(graph().number_of_edges()) +
+           static_cast<long>(graph().number_of_faces());
   }
 };
 

@@ -35,8 +35,7 @@
 
 namespace {
 
-using Surface = CGAL::T_splines::T_spline_surface<Mesh, decltype(Test_t_mesh::knots), decltype(Test_t_mesh::corners),
-                                                  Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_3>>;
+using Surface = Test_t_mesh::Surface;
 
 /// All numbers that stand under a name in a report, in their order.
 std::vector<double> numbers(const std::string& json, const std::string& name)
@@ -77,7 +76,7 @@ struct Fitted {
     REQUIRE(CGAL::T_splines::read_triangle_mesh(mesh_file, input).success());
     REQUIRE(t_mesh.read(t_mesh_file).success());
   }
-  Surface surface() const { return Surface(t_mesh.mesh, t_mesh.knots, t_mesh.corners, t_mesh.mesh.points()); }
+  Surface surface() const { return t_mesh.surface(); }
 };
 
 } // namespace
@@ -165,6 +164,16 @@ TEST_CASE("random points find no larger distance than the report has")
   }
 }
 
+TEST_CASE("the sides of a tetrahedron, one triangle each, are met though the surface folds at its vertices at first")
+{
+  const Temporary_directory directory;
+  const std::string output = directory.file("output");
+  const Program_run run("'" T_SPLINES_DEMO_DATA "/meshes/reference_tetrahedron.off' -o '" + output + "'");
+  CAPTURE(run.errors, run.output);
+  REQUIRE(run.exit_code == 0);
+  CHECK(contains(file_content(output + "/report.json"), "\"verdict\": \"within the tolerance\""));
+}
+
 TEST_CASE("the levels are written, and the best is the surface")
 {
   const Temporary_directory directory;
@@ -183,8 +192,8 @@ TEST_CASE("the levels are written, and the best is the surface")
   for (std::size_t i = 0; i < control_points.size(); ++i) {
     Test_t_mesh level;
     REQUIRE(level.read(output + "/level_" + std::to_string(i) + ".ply").success());
-    CHECK(static_cast<double>(level.mesh.number_of_vertices()) == control_points[i]);
-    CHECK(CGAL::T_splines::is_spline_compatible(level.mesh, level.knots, level.corners).success());
+    CHECK(static_cast<double>(level.graph().number_of_vertices()) == control_points[i]);
+    CHECK(CGAL::T_splines::is_spline_compatible(level).success());
   }
   CHECK_FALSE(std::filesystem::exists(output + "/level_" + std::to_string(control_points.size()) + ".ply"));
   CHECK(file_content(output + "/t_mesh.ply") == file_content(output + "/level_" + std::to_string(best) + ".ply"));
@@ -202,7 +211,7 @@ TEST_CASE("a limit on the control points is obeyed, and a surface beyond the tol
   CHECK(contains(file_content(output + "/report.json"), "\"is_within_tolerance\": false"));
   Test_t_mesh t_mesh;
   REQUIRE(t_mesh.read(output + "/t_mesh.ply").success());
-  CHECK(t_mesh.mesh.number_of_vertices() <= 700);
+  CHECK(t_mesh.graph().number_of_vertices() <= 700);
 }
 
 TEST_CASE("limits on control points and cones that cannot be kept are refused with exit code 2 and the numbers")

@@ -68,7 +68,7 @@ void check_output(const std::string& directory, const std::string& mesh_file)
   const long characteristic = static_cast<long>(input.number_of_vertices()) -
                               static_cast<long>(input.number_of_edges()) + static_cast<long>(input.number_of_faces());
   CHECK(t_mesh.euler_characteristic() == characteristic);
-  CHECK(CGAL::T_splines::is_spline_compatible(t_mesh.mesh, t_mesh.knots, t_mesh.corners).success());
+  CHECK(CGAL::T_splines::is_spline_compatible(t_mesh).success());
   check_tessellation(directory + "/t_spline.obj", characteristic);
   const std::string patches = file_content(directory + "/t_spline.vtu");
   CHECK(contains(patches, "<PointData RationalWeights=\"RationalWeights\">"));
@@ -312,15 +312,15 @@ TEST_CASE("a given map gives the T-mesh and the report")
     // The T-mesh is the cube.
     Test_t_mesh t_mesh;
     REQUIRE(t_mesh.read(output + "/t_mesh.ply").success());
-    CHECK(t_mesh.mesh.number_of_faces() == 6);
-    CHECK(t_mesh.mesh.number_of_edges() == 12);
-    for (const auto h : t_mesh.mesh.halfedges()) {
-      CHECK(t_mesh.corners[h]);
-      CHECK(t_mesh.knots[h] == 1);
+    CHECK(t_mesh.graph().number_of_faces() == 6);
+    CHECK(t_mesh.graph().number_of_edges() == 12);
+    for (const auto h : t_mesh.graph().halfedges()) {
+      CHECK(t_mesh.corners()[h]);
+      CHECK(t_mesh.knots()[h] == 1);
     }
-    for (const auto v : t_mesh.mesh.vertices())
+    for (const auto v : t_mesh.graph().vertices())
       for (int d = 0; d < 3; ++d)
-        CHECK((t_mesh.mesh.point(v)[d] == 0 || t_mesh.mesh.point(v)[d] == 1));
+        CHECK((t_mesh.graph().point(v)[d] == 0 || t_mesh.graph().point(v)[d] == 1));
   }
 }
 
@@ -338,7 +338,7 @@ TEST_CASE("a given map may have a border")
   CHECK(contains(run.output, "4 cones (k = 3: 4)"));
   Test_t_mesh t_mesh;
   REQUIRE(t_mesh.read(directory.file("output/t_mesh.ply")).success());
-  CHECK(t_mesh.mesh.number_of_faces() == 5);
+  CHECK(t_mesh.graph().number_of_faces() == 5);
   CHECK(t_mesh.euler_characteristic() == 1);
 
   // The border of the surface is close to that of the box, which lies in the plane of the missing lid.

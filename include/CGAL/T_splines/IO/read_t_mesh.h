@@ -9,15 +9,16 @@
 #include <CGAL/T_splines/IO/internal/build_t_mesh.h>
 #include <CGAL/T_splines/IO/internal/check_t_mesh_knots.h>
 #include <CGAL/T_splines/IO/internal/check_t_mesh_soup.h>
+#include <CGAL/T_splines/IO/internal/own_weights.h>
 #include <CGAL/T_splines/IO/internal/parse_t_mesh_ply.h>
 #include <CGAL/T_splines/IO/internal/read_whole_file.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
@@ -33,16 +34,13 @@ namespace T_splines {
 namespace internal {
 
 /// What `read_t_mesh()` does with the content of a file.
-template <typename MutableFaceGraph, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename NamedParameters>
-T_mesh_reading_report read_t_mesh_text(const std::string_view content, MutableFaceGraph& t_mesh,
-                                       const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                                       const NamedParameters& np)
+template <typename TMesh, typename NamedParameters>
+T_mesh_reading_report read_t_mesh_text(const std::string_view content, TMesh& t_mesh, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using vertex_descriptor = typename boost::graph_traits<MutableFaceGraph>::vertex_descriptor;
-  using Knot = typename boost::property_traits<HalfedgeKnotMap>::value_type;
-  CGAL_precondition(num_vertices(t_mesh) == 0 && num_faces(t_mesh) == 0);
+  const T_mesh_view_of<TMesh> view(t_mesh);
+  CGAL_precondition(num_vertices(view.graph()) == 0 && num_faces(view.graph()) == 0);
 
   T_mesh_soup soup;
   const T_mesh_reading_report parsed = T_mesh_ply_parser(content, soup).parse();
@@ -56,20 +54,15 @@ T_mesh_reading_report read_t_mesh_text(const std::string_view content, MutableFa
   if (!report.success())
     return report;
 
-  const T_mesh_builder<MutableFaceGraph> builder(soup, t_mesh);
+  const T_mesh_builder builder(soup, view);
   const auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                          get_property_map(CGAL::vertex_point, t_mesh));
-  const auto weight_map = choose_parameter(get_parameter(np, np_tags::vertex_weight_map),
-                                           CGAL::Constant_property_map<vertex_descriptor, double>(1.));
+                                          get_property_map(CGAL::vertex_point, view.graph()));
+  const auto weight_map = choose_parameter(get_parameter(np, np_tags::vertex_weight_map), own_weights(t_mesh));
   using Point = typename boost::property_traits<decltype(point_map)>::value_type;
   for (std::size_t v = 0; v < soup.number_of_vertices(); ++v) {
     const std::array<double, 4>& p = soup.points[v];
     put(point_map, builder.vertex_of(v), Point(p[0], p[1], p[2]));
     put(weight_map, builder.vertex_of(v), p[3]);
-  }
-  for (std::size_t h = 0; h < soup.number_of_halfedges(); ++h) {
-    put(knots, builder.halfedge_of(h), Knot(soup.knots[h]));
-    put(corners, builder.halfedge_before(h), soup.is_corner[h] != 0);
   }
   return report;
 }
@@ -87,26 +80,21 @@ T_mesh_reading_report read_t_mesh_text(const std::string_view content, MutableFa
 /// agree up to a relative tolerance. Doubles are exact in an exact number type; but T-meshes whose knots were rounded
 /// when they were written are not exactly admissible.
 ///
-/// \tparam MutableFaceGraph a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`
-/// \tparam HalfedgeKnotMap a model of `WritablePropertyMap`, halfedge -> number that is made from a double
-/// \tparam HalfedgeCornerMap a model of `WritablePropertyMap`, halfedge -> bool
+/// \tparam TMesh a model of `TMesh` whose graph is one of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`, a
+///   `T_spline` for instance; its knots are made from doubles
 /// \param in the content of the file; it is read to the end
-/// \param t_mesh an empty graph; untouched if the file is refused
-/// \param knots receives the interval of each halfedge, in the units of its face; not written on border halfedges
-/// \param corners receives whether the halfedge's face turns at its *target*; not written on border halfedges
+/// \param t_mesh empty; untouched if the file is refused. Knots and corners are not written on border halfedges
 /// \param np optional: `vertex_point_map`: receives the control points; `vertex_weight_map` (vertex -> number,
-///   writable): receives their weights; `relative_tolerance` (1e-9)
+///   writable; default: that of a `T_spline`): receives their weights; `relative_tolerance` (1e-9)
 /// \return how it ended. Complexity: linear in the size of the file.
-template <typename MutableFaceGraph, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-T_mesh_reading_report read_t_mesh(std::istream& in, MutableFaceGraph& t_mesh, const HalfedgeKnotMap knots,
-                                  const HalfedgeCornerMap corners,
+template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+T_mesh_reading_report read_t_mesh(std::istream& in, TMesh&& t_mesh,
                                   const NamedParameters& np = CGAL::parameters::default_values())
 {
   if (in.good()) {
     const std::string content((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
     if (!in.bad())
-      return internal::read_t_mesh_text(content, t_mesh, knots, corners, np);
+      return internal::read_t_mesh_text(content, t_mesh, np);
   }
   T_mesh_reading_report report;
   report.status = T_mesh_reading_status::CANNOT_OPEN;
@@ -116,17 +104,15 @@ T_mesh_reading_report read_t_mesh(std::istream& in, MutableFaceGraph& t_mesh, co
 /// reads a T-mesh with halfedge knots from a PLY file.
 ///
 /// \param filename a file; its extension does not matter
-/// \param t_mesh, knots, corners, np see the function that reads from a stream
+/// \param t_mesh, np see the function that reads from a stream
 /// \return how it ended. Complexity: linear in the size of the file.
-template <typename MutableFaceGraph, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-T_mesh_reading_report read_t_mesh(const std::string& filename, MutableFaceGraph& t_mesh, const HalfedgeKnotMap knots,
-                                  const HalfedgeCornerMap corners,
+template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+T_mesh_reading_report read_t_mesh(const std::string& filename, TMesh&& t_mesh,
                                   const NamedParameters& np = CGAL::parameters::default_values())
 {
   std::string content;
   if (internal::read_whole_file(filename, content))
-    return internal::read_t_mesh_text(content, t_mesh, knots, corners, np);
+    return internal::read_t_mesh_text(content, t_mesh, np);
   T_mesh_reading_report report;
   report.status = T_mesh_reading_status::CANNOT_OPEN;
   return report;

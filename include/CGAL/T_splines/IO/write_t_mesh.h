@@ -6,6 +6,8 @@
 
 #include <CGAL/T_splines/IO/internal/Atomic_file.h>
 #include <CGAL/T_splines/IO/internal/Text_writer.h>
+#include <CGAL/T_splines/IO/internal/own_weights.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -14,8 +16,6 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/property_map.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
 #include <ios>
@@ -33,40 +33,40 @@ namespace internal {
 
 /// The first halfedge of the bottom side of a T-mesh face, the side of `halfedge(f)`: it begins at the origin of the
 /// face's frame. On a face without corners it is `halfedge(f)`.
-template <typename FaceGraph, typename HalfedgeCornerMap>
-typename boost::graph_traits<FaceGraph>::halfedge_descriptor
-first_halfedge_of_bottom(const typename boost::graph_traits<FaceGraph>::face_descriptor f, const FaceGraph& t_mesh,
-                         const HalfedgeCornerMap corners)
+template <typename TMesh>
+typename TMesh::halfedge_descriptor first_halfedge_of_bottom(const typename TMesh::face_descriptor f,
+                                                             const TMesh& t_mesh)
 {
-  const auto start = halfedge(f, t_mesh);
+  const auto& graph = t_mesh.graph();
+  const auto start = halfedge(f, graph);
   auto h = start;
   do {
-    if (get(corners, prev(h, t_mesh)))
+    if (t_mesh.is_corner(prev(h, graph)))
       return h;
-    h = prev(h, t_mesh);
+    h = prev(h, graph);
   } while (h != start);
   return start;
 }
 
 /// A T-mesh as the file numbers it.
-template <typename FaceGraph>
+/// \tparam TMesh a `T_mesh_view`
+template <typename TMesh>
 class T_mesh_numbering {
-  using Traits = boost::graph_traits<FaceGraph>;
-  using halfedge_descriptor = typename Traits::halfedge_descriptor;
-  using vertex_descriptor = typename Traits::vertex_descriptor;
+  using Graph = typename TMesh::Graph;
+  using halfedge_descriptor = typename TMesh::halfedge_descriptor;
+  using vertex_descriptor = typename TMesh::vertex_descriptor;
 
 public:
-  template <typename HalfedgeCornerMap>
-  T_mesh_numbering(const FaceGraph& t_mesh, const HalfedgeCornerMap corners)
-    : m_vertex_number(get(CGAL::dynamic_vertex_property_t<std::size_t>(), t_mesh)),
-      m_halfedge_number(get(CGAL::dynamic_halfedge_property_t<std::size_t>(), t_mesh))
+  explicit T_mesh_numbering(const TMesh& t_mesh)
+    : m_vertex_number(get(CGAL::dynamic_vertex_property_t<std::size_t>(), t_mesh.graph())),
+      m_halfedge_number(get(CGAL::dynamic_halfedge_property_t<std::size_t>(), t_mesh.graph()))
   {
     std::size_t v = 0, h = 0;
-    for (const vertex_descriptor vertex : CGAL::make_range(vertices(t_mesh)))
+    for (const vertex_descriptor vertex : CGAL::make_range(vertices(t_mesh.graph())))
       put(m_vertex_number, vertex, v++);
-    for (const auto face : CGAL::make_range(faces(t_mesh))) {
-      m_first_halfedges.push_back(first_halfedge_of_bottom(face, t_mesh, corners));
-      for (const halfedge_descriptor g : CGAL::halfedges_around_face(m_first_halfedges.back(), t_mesh))
+    for (const auto face : CGAL::make_range(faces(t_mesh.graph()))) {
+      m_first_halfedges.push_back(first_halfedge_of_bottom(face, t_mesh));
+      for (const halfedge_descriptor g : CGAL::halfedges_around_face(m_first_halfedges.back(), t_mesh.graph()))
         put(m_halfedge_number, g, h++);
     }
   }
@@ -76,8 +76,8 @@ public:
   std::size_t halfedge_number(const halfedge_descriptor h) const { return get(m_halfedge_number, h); }
 
 private:
-  typename boost::property_map<FaceGraph, CGAL::dynamic_vertex_property_t<std::size_t>>::const_type m_vertex_number;
-  typename boost::property_map<FaceGraph, CGAL::dynamic_halfedge_property_t<std::size_t>>::const_type m_halfedge_number;
+  typename boost::property_map<Graph, CGAL::dynamic_vertex_property_t<std::size_t>>::const_type m_vertex_number;
+  typename boost::property_map<Graph, CGAL::dynamic_halfedge_property_t<std::size_t>>::const_type m_halfedge_number;
   std::vector<halfedge_descriptor> m_first_halfedges;
 };
 
@@ -92,14 +92,15 @@ void format_t_mesh_header(Writer& writer, const std::size_t number_of_vertices, 
 }
 
 /// Hands the text of the file to `sink`, a function object that takes a `std::string_view`, piece by piece.
-template <typename Sink, typename FaceGraph, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
-          typename VertexPointMap, typename VertexWeightMap>
-void format_t_mesh(Sink& sink, const FaceGraph& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                   const VertexPointMap vertex_point_map, const VertexWeightMap vertex_weight_map)
+/// \param t_mesh a `T_mesh_view`
+template <typename Sink, typename TMesh, typename VertexPointMap, typename VertexWeightMap>
+void format_t_mesh(Sink& sink, const TMesh& t_mesh, const VertexPointMap vertex_point_map,
+                   const VertexWeightMap vertex_weight_map)
 {
-  const T_mesh_numbering<FaceGraph> numbering(t_mesh, corners);
+  const auto& graph = t_mesh.graph();
+  const T_mesh_numbering<TMesh> numbering(t_mesh);
   Text_writer<Sink> writer(sink);
-  const auto vertex_range = vertices(t_mesh);
+  const auto vertex_range = vertices(graph);
   format_t_mesh_header(writer, static_cast<std::size_t>(std::distance(vertex_range.first, vertex_range.second)),
                        numbering.first_halfedges().size());
   for (const auto v : CGAL::make_range(vertex_range)) {
@@ -108,21 +109,21 @@ void format_t_mesh(Sink& sink, const FaceGraph& t_mesh, const HalfedgeKnotMap kn
            << CGAL::to_double(get(vertex_weight_map, v)) << "\n";
   }
   for (const auto first : numbering.first_halfedges()) {
-    const auto halfedges = CGAL::halfedges_around_face(first, t_mesh);
+    const auto halfedges = CGAL::halfedges_around_face(first, graph);
     const std::size_t n = static_cast<std::size_t>(std::distance(halfedges.begin(), halfedges.end()));
     writer << n;
     for (const auto h : halfedges)
-      writer << " " << numbering.vertex_number(source(h, t_mesh));
+      writer << " " << numbering.vertex_number(source(h, graph));
     writer << " " << n;
     for (const auto h : halfedges)
-      writer << " " << CGAL::to_double(get(knots, h));
+      writer << " " << CGAL::to_double(t_mesh.knot(h));
     writer << " " << n;
     for (const auto h : halfedges)
-      writer << (get(corners, prev(h, t_mesh)) ? " 1" : " 0");
+      writer << (t_mesh.is_corner(prev(h, graph)) ? " 1" : " 0");
     writer << " " << n;
     for (const auto h : halfedges) {
-      const auto g = opposite(h, t_mesh);
-      if (is_border(g, t_mesh))
+      const auto g = opposite(h, graph);
+      if (is_border(g, graph))
         writer << " -1";
       else
         writer << " " << numbering.halfedge_number(g);
@@ -131,19 +132,15 @@ void format_t_mesh(Sink& sink, const FaceGraph& t_mesh, const HalfedgeKnotMap kn
   }
 }
 
-template <typename Sink, typename FaceGraph, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
-          typename NamedParameters>
-void format_t_mesh(Sink& sink, const FaceGraph& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                   const NamedParameters& np)
+template <typename Sink, typename TMesh, typename NamedParameters>
+void format_t_mesh(Sink& sink, const TMesh& t_mesh, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using vertex_descriptor = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
-  format_t_mesh(sink, t_mesh, knots, corners,
+  format_t_mesh(sink, Const_T_mesh_view_of<TMesh>(t_mesh),
                 choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                 get_const_property_map(CGAL::vertex_point, t_mesh)),
-                choose_parameter(get_parameter(np, np_tags::vertex_weight_map),
-                                 CGAL::Constant_property_map<vertex_descriptor, double>(1.)));
+                                 get_const_property_map(CGAL::vertex_point, t_mesh.graph())),
+                choose_parameter(get_parameter(np, np_tags::vertex_weight_map), own_weights(t_mesh)));
 }
 
 } // namespace internal
@@ -166,25 +163,20 @@ void format_t_mesh(Sink& sink, const FaceGraph& t_mesh, const HalfedgeKnotMap kn
 /// that are equal stay so, but sums that were equal need not, and the T-mesh that is read is admissible up to
 /// round-off only.
 ///
-/// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \tparam HalfedgeKnotMap a model of `ReadablePropertyMap`, halfedge -> positive finite number: its interval on its
-///   own face
-/// \tparam HalfedgeCornerMap a model of `ReadablePropertyMap`, halfedge -> bool: its face turns at its *target*
+/// \tparam TMesh a model of `TMesh` whose graph is one of `FaceListGraph` and `HalfedgeListGraph`, a `T_spline` for
+///   instance
 /// \param out receives the file
-/// \param t_mesh, knots, corners the T-mesh; neither map is read on border halfedges
 /// \param np optional: `vertex_point_map`: the control points; `vertex_weight_map` (vertex -> positive number): their
-///   weights, 1 by default
+///   weights (default: those of a `T_spline`, 1 for others)
 /// \return `std::io_errc::stream` if the stream failed; converts to `false` if all was written. Complexity: linear.
-template <typename FaceGraph, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-std::error_code write_t_mesh(std::ostream& out, const FaceGraph& t_mesh, const HalfedgeKnotMap knots,
-                             const HalfedgeCornerMap corners,
+template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+std::error_code write_t_mesh(std::ostream& out, const TMesh& t_mesh,
                              const NamedParameters& np = CGAL::parameters::default_values())
 {
   const auto sink = [&out](const std::string_view text) {
     out.write(text.data(), static_cast<std::streamsize>(text.size()));
   };
-  internal::format_t_mesh(sink, t_mesh, knots, corners, np);
+  internal::format_t_mesh(sink, t_mesh, np);
   return out.good() ? std::error_code() : std::make_error_code(std::io_errc::stream);
 }
 
@@ -194,17 +186,15 @@ std::error_code write_t_mesh(std::ostream& out, const FaceGraph& t_mesh, const H
 /// behind and a file that was there stays as it was. Everything else is as with a stream.
 ///
 /// \param filename where to write; a file that is there is replaced
-/// \param t_mesh, knots, corners, np see the function that writes to a stream
+/// \param t_mesh, np see the function that writes to a stream
 /// \return the error of the operating system; converts to `false` if the file was written. Complexity: linear.
-template <typename FaceGraph, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-std::error_code write_t_mesh(const std::string& filename, const FaceGraph& t_mesh, const HalfedgeKnotMap knots,
-                             const HalfedgeCornerMap corners,
+template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+std::error_code write_t_mesh(const std::string& filename, const TMesh& t_mesh,
                              const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::Atomic_file file(filename);
   const auto sink = [&file](const std::string_view text) { file.write(text); };
-  internal::format_t_mesh(sink, t_mesh, knots, corners, np);
+  internal::format_t_mesh(sink, t_mesh, np);
   file.finish() && file.commit();
   return std::error_code(file.error(), std::generic_category());
 }

@@ -69,7 +69,7 @@ void format_t_spline_vtu(Sink& sink, const CompiledTSpline& surface)
   points.reserve(48 * n);
   weights.reserve(16 * n);
   std::int64_t face_number = -1;
-  auto last_face = boost::graph_traits<typename CompiledTSpline::TMesh>::null_face();
+  auto last_face = boost::graph_traits<typename CompiledTSpline::Graph>::null_face();
   for (std::size_t i = 0; i < n; ++i) {
     for (const std::array<int, 2>& place : vtk_bezier_order()) {
       const auto p = surface.patch(i).control_point(place[0], place[1]);

@@ -60,26 +60,26 @@ struct T_spline_fit_level {
 };
 
 /// What `fit_adaptive_T_spline()` did. Members that `status` does not mention have no meaning.
-/// \tparam TMesh the given T-mesh
-template <typename TMesh>
+/// \tparam Graph the given T-mesh
+template <typename Graph>
 struct Adaptive_fit_report {
   Adaptive_fit_status status = Adaptive_fit_status::WITHIN_TOLERANCE;
   std::vector<T_spline_fit_level> levels; ///< always set
   std::size_t best_level = 0;             ///< of the surface that was written
   std::size_t number_of_samples = 0;
-  T_spline_fit_report<TMesh> fit;
+  T_spline_fit_report<Graph> fit;
 
   bool success() const { return status <= Adaptive_fit_status::RESOLUTION_REACHED; }
   explicit operator bool() const { return success(); }
 };
 
 /// returns what `report` says, with the numbers concerned. Complexity: linear in the size of the T-mesh.
-template <typename TMesh>
-std::string describe(const Adaptive_fit_report<TMesh>& report, const TMesh& t_mesh)
+template <typename Graph>
+std::string describe(const Adaptive_fit_report<Graph>& report, const Graph& graph)
 {
   switch (report.status) {
-  case Adaptive_fit_status::INADMISSIBLE: return describe(report.fit.surface.compatibility, t_mesh);
-  case Adaptive_fit_status::FIT_FAILED: return describe(report.fit, t_mesh);
+  case Adaptive_fit_status::INADMISSIBLE: return describe(report.fit.surface.compatibility, graph);
+  case Adaptive_fit_status::FIT_FAILED: return describe(report.fit, graph);
   case Adaptive_fit_status::LIMIT_TOO_LOW:
     return message(report.status) + (": " + std::to_string(report.levels.front().number_of_control_points) + ", " +
                                      std::to_string(report.levels.front().control_points_in_rings) +

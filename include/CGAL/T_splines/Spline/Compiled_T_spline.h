@@ -28,10 +28,10 @@ namespace T_splines {
 
 /// The part of the surface that a Bezier patch of a compiled T-spline covers: [u_begin, u_end] x [v_begin, v_end] of a
 /// face.
-/// \tparam TMesh a model of `FaceGraph`
-template <typename TMesh, typename FT>
+/// \tparam Graph a model of `FaceGraph`
+template <typename Graph, typename FT>
 struct Bezier_patch_domain {
-  typename boost::graph_traits<TMesh>::face_descriptor face;
+  typename boost::graph_traits<Graph>::face_descriptor face;
   FT u_begin, u_end, v_begin, v_end;
   bool is_cap; ///< the patch stands for the surface around an extraordinary vertex, and is not exact
 };
@@ -64,21 +64,21 @@ void prefetch([[maybe_unused]] const T& object)
 ///
 /// It is made by `compile_T_spline()` and is independent of the surface then; the T-mesh must live on. Evaluation may
 /// run in any number of threads.
-/// \tparam TMesh_ the T-mesh of the surface
+/// \tparam Graph_ the T-mesh of the surface
 /// \tparam Kernel_ its kernel
-template <typename TMesh_, typename Kernel_>
+template <typename Graph_, typename Kernel_>
 class Compiled_T_spline {
 public:
-  using TMesh = TMesh_;
+  using Graph = Graph_;
   using Kernel = Kernel_;
   using FT = typename Kernel::FT;
   using Point_3 = typename Kernel::Point_3;
   using Vector_3 = typename Kernel::Vector_3;
   using Jet = Surface_jet<Kernel>;
   using Patch = Bezier_patch_3<Kernel>;
-  using Domain = Bezier_patch_domain<TMesh, FT>;
-  using Place = T_mesh_place<TMesh, FT>;
-  using face_descriptor = typename boost::graph_traits<TMesh>::face_descriptor;
+  using Domain = Bezier_patch_domain<Graph, FT>;
+  using Place = T_mesh_place<Graph, FT>;
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
 
   std::size_t number_of_patches() const { return m_patches.size(); }
   const Patch& patch(const std::size_t i) const { return m_patches[i]; }
@@ -94,7 +94,7 @@ public:
   /// returns the number of rings at extraordinary vertices.
   int number_of_rings() const { return m_number_of_rings; }
 
-  const TMesh& t_mesh() const { return m_indexing->graph(); }
+  const Graph& graph() const { return m_indexing->graph(); }
   FT width(const face_descriptor f) const { return m_t_mesh->width(m_indexing->face_index(f)); }
   FT height(const face_descriptor f) const { return m_t_mesh->height(m_indexing->face_index(f)); }
 
@@ -178,7 +178,7 @@ public:
 
   /// What other headers of this room build on; not for users.
   const internal::T_mesh_arrays<FT>& t_mesh_arrays() const { return *m_t_mesh; }
-  const internal::Mesh_indexing<TMesh>& indexing() const { return *m_indexing; }
+  const internal::Mesh_indexing<Graph>& indexing() const { return *m_indexing; }
 
 private:
   template <typename Surface>
@@ -263,7 +263,7 @@ private:
     return i;
   }
 
-  std::shared_ptr<const internal::Mesh_indexing<TMesh>> m_indexing;
+  std::shared_ptr<const internal::Mesh_indexing<Graph>> m_indexing;
   std::shared_ptr<const internal::T_mesh_arrays<FT>> m_t_mesh;
   std::vector<Patch> m_patches;
   std::vector<Rectangle> m_rectangles; // per patch

@@ -44,13 +44,13 @@ inline const char* message(const Knot_insertion_status status)
 
 /// The result of `insert_knot_line()`. It converts to `true` if the line was inserted. Members that `status` does not
 /// mention have no meaning.
-/// \tparam TMesh a model of `FaceGraph`
-template <typename TMesh>
+/// \tparam Graph a model of `FaceGraph`
+template <typename Graph>
 struct Knot_insertion_report {
-  using Traits = boost::graph_traits<TMesh>;
+  using Traits = boost::graph_traits<Graph>;
 
   Knot_insertion_status status = Knot_insertion_status::INSERTED;
-  Spline_compatibility_report<TMesh> compatibility;
+  Spline_compatibility_report<Graph> compatibility;
   typename Traits::vertex_descriptor vertex = Traits::null_vertex();
   typename Traits::face_descriptor face = Traits::null_face();
   std::size_t inserted_vertices = 0; ///< 0 unless INSERTED

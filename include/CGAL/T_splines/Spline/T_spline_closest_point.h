@@ -31,11 +31,11 @@ namespace CGAL {
 namespace T_splines {
 
 /// The point of a surface that is closest to a given point.
-/// \tparam TMesh a model of `FaceGraph`
+/// \tparam Graph a model of `FaceGraph`
 /// \tparam Kernel a CGAL kernel
-template <typename TMesh, typename Kernel>
+template <typename Graph, typename Kernel>
 struct Surface_projection {
-  typename boost::graph_traits<TMesh>::face_descriptor face = boost::graph_traits<TMesh>::null_face();
+  typename boost::graph_traits<Graph>::face_descriptor face = boost::graph_traits<Graph>::null_face();
   typename Kernel::FT u = 0, v = 0; ///< in [0, width] x [0, height] of the face
   typename Kernel::Point_3 point;   ///< at (u, v)
   typename Kernel::FT distance = 0; ///< from the given point
@@ -67,17 +67,17 @@ template <typename Surface_>
 class T_spline_closest_point {
 public:
   using Surface = Surface_;
-  using TMesh = typename Surface::TMesh;
+  using Graph = typename Surface::Graph;
   using Kernel = typename Surface::Kernel;
   using FT = typename Kernel::FT;
   using Point_3 = typename Kernel::Point_3;
-  using Projection = Surface_projection<TMesh, Kernel>;
-  using face_descriptor = typename boost::graph_traits<TMesh>::face_descriptor;
+  using Projection = Surface_projection<Graph, Kernel>;
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
 
 private:
   static_assert(std::is_same<FT, double>::value || std::is_same<FT, long double>::value,
                 "closest points are roots of polynomials, and need floating point numbers");
-  using Compiled = Compiled_T_spline<TMesh, Kernel>;
+  using Compiled = Compiled_T_spline<Graph, Kernel>;
   static constexpr bool is_compiled = std::is_same<Surface, Compiled>::value;
   using Search = internal::Closest_point_search<Kernel>;
   using Foot = typename Search::Foot;
@@ -149,13 +149,13 @@ private:
   void mark_sides()
   {
     m_sides.assign(m_compiled.number_of_patches(), 0);
-    const TMesh& t_mesh = m_compiled.t_mesh();
+    const Graph& graph = m_compiled.graph();
     for (std::size_t i = 0; i < m_compiled.number_of_patches(); ++i) {
       const auto domain = m_compiled.domain(i);
       if (domain.is_cap)
         m_sides[i] = 15;
-      for (const auto h : CGAL::halfedges_around_face(halfedge(domain.face, t_mesh), t_mesh))
-        if (CGAL::is_border(opposite(h, t_mesh), t_mesh))
+      for (const auto h : CGAL::halfedges_around_face(halfedge(domain.face, graph), graph))
+        if (CGAL::is_border(opposite(h, graph), graph))
           m_sides[i] |= sides_on_face_sides(domain);
     }
   }

@@ -65,11 +65,11 @@ private:
 };
 
 /// Where something was found: a place of the T-spline surface, and the face of the mesh next to it.
-/// \tparam TMesh the T-mesh, a model of `FaceGraph`
+/// \tparam Graph the T-mesh, a model of `FaceGraph`
 /// \tparam TriangleMesh the mesh, a model of `FaceGraph`
-template <typename TMesh, typename TriangleMesh>
+template <typename Graph, typename TriangleMesh>
 struct Deviation_place {
-  T_mesh_place<TMesh, double> place;
+  T_mesh_place<Graph, double> place;
   typename boost::graph_traits<TriangleMesh>::face_descriptor mesh_face =
       boost::graph_traits<TriangleMesh>::null_face();
 };
@@ -80,11 +80,11 @@ struct Deviation_place {
 /// Where that is a right angle or more, the surface has a fold, unless the angle with a triangle within the tolerance
 /// is less: there the mesh itself turns over within the tolerance, as at thin walls, sharp edges and where it meets
 /// itself, and the place is doubtful.
-template <typename TMesh, typename TriangleMesh>
+template <typename Graph, typename TriangleMesh>
 struct Normal_deviation {
   double largest_angle = 0;                                  ///< in radians: the largest angle found
   CGAL::Simple_cartesian<double>::Point_3 point = {0, 0, 0}; ///< of the surface, with that angle
-  Deviation_place<TMesh, TriangleMesh> place;                ///< where that is
+  Deviation_place<Graph, TriangleMesh> place;                ///< where that is
   std::size_t number_of_patches = 0;                         ///< the Bezier patches
   std::size_t number_of_folded_patches = 0;                  ///< those where a fold was found
   std::size_t number_of_doubtful_patches = 0;                ///< others with a doubtful place
@@ -92,9 +92,9 @@ struct Normal_deviation {
 };
 
 /// What `measure_T_spline_deviation()` found. Members that `status` does not mention have no meaning.
-/// \tparam TMesh the T-mesh, a model of `FaceGraph`
+/// \tparam Graph the T-mesh, a model of `FaceGraph`
 /// \tparam TriangleMesh the mesh, a model of `FaceGraph`
-template <typename TMesh, typename TriangleMesh>
+template <typename Graph, typename TriangleMesh>
 struct T_spline_deviation_report {
   using Traits = boost::graph_traits<TriangleMesh>;
 
@@ -103,9 +103,9 @@ struct T_spline_deviation_report {
   typename Traits::face_descriptor face = Traits::null_face();
   One_way_deviation mesh_to_surface;                          ///< of the points of the mesh from the surface
   One_way_deviation surface_to_mesh;                          ///< of the points of the surface from the mesh
-  Deviation_place<TMesh, TriangleMesh> mesh_to_surface_place; ///< of the largest distance
-  Deviation_place<TMesh, TriangleMesh> surface_to_mesh_place; ///< of the largest distance
-  Normal_deviation<TMesh, TriangleMesh> normals;
+  Deviation_place<Graph, TriangleMesh> mesh_to_surface_place; ///< of the largest distance
+  Deviation_place<Graph, TriangleMesh> surface_to_mesh_place; ///< of the largest distance
+  Normal_deviation<Graph, TriangleMesh> normals;
   double tolerance = (std::numeric_limits<double>::infinity)(); ///< as it was given: a length
 
   /// returns the Hausdorff distance, as found.
@@ -126,8 +126,8 @@ struct T_spline_deviation_report {
 
 /// returns what `report` says, with the numbers of the elements concerned, counted from 0. Complexity: linear in the
 /// size of the mesh.
-template <typename TMesh, typename TriangleMesh>
-std::string describe(const T_spline_deviation_report<TMesh, TriangleMesh>& report, const TriangleMesh& mesh)
+template <typename Graph, typename TriangleMesh>
+std::string describe(const T_spline_deviation_report<Graph, TriangleMesh>& report, const TriangleMesh& mesh)
 {
   return message(report.status) + internal::numbered_elements(mesh, report.vertex, report.face);
 }

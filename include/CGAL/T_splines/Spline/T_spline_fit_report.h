@@ -52,11 +52,11 @@ struct T_spline_fit_error {
 };
 
 /// What `fit_T_spline()` did. Members that `status` does not mention have no meaning.
-/// \tparam TMesh a model of `FaceGraph`
-template <typename TMesh>
+/// \tparam Graph a model of `FaceGraph`
+template <typename Graph>
 struct T_spline_fit_report {
   T_spline_fit_status status = T_spline_fit_status::FITTED;
-  T_spline_report<TMesh> surface;
+  T_spline_report<Graph> surface;
   std::size_t sample = 0; ///< the first invalid one; if FITTED, the one at the largest distance
   std::size_t number_of_control_points = 0, number_of_samples = 0;
   T_spline_fit_error error;       ///< of the fitted surface, at the samples' last places
@@ -69,11 +69,11 @@ struct T_spline_fit_report {
 
 /// returns what `report` says, with the numbers of the elements concerned, counted from 0. Complexity: linear in the
 /// size of the T-mesh.
-template <typename TMesh>
-std::string describe(const T_spline_fit_report<TMesh>& report, const TMesh& t_mesh)
+template <typename Graph>
+std::string describe(const T_spline_fit_report<Graph>& report, const Graph& graph)
 {
   if (report.status == T_spline_fit_status::INVALID_SURFACE)
-    return describe(report.surface, t_mesh);
+    return describe(report.surface, graph);
   std::string text = message(report.status);
   if (report.status == T_spline_fit_status::INVALID_SAMPLE)
     text += ": sample " + std::to_string(report.sample);

@@ -36,12 +36,12 @@ inline const char* message(const T_spline_status status)
 }
 
 /// What is wrong with a T-spline surface, and where. Members that `status` does not mention have no meaning.
-/// \tparam TMesh a model of `FaceGraph`
-template <typename TMesh>
+/// \tparam Graph a model of `FaceGraph`
+template <typename Graph>
 struct T_spline_report {
   T_spline_status status = T_spline_status::VALID;
-  Spline_compatibility_report<TMesh> compatibility;
-  typename boost::graph_traits<TMesh>::vertex_descriptor vertex = boost::graph_traits<TMesh>::null_vertex();
+  Spline_compatibility_report<Graph> compatibility;
+  typename boost::graph_traits<Graph>::vertex_descriptor vertex = boost::graph_traits<Graph>::null_vertex();
 
   bool success() const { return status == T_spline_status::VALID; }
   explicit operator bool() const { return success(); }
@@ -49,13 +49,13 @@ struct T_spline_report {
 
 /// returns what `report` says and the numbers of the elements concerned; of a T-mesh that is not spline compatible,
 /// which condition fails. Complexity: linear in the size of the T-mesh.
-template <typename TMesh>
-std::string describe(const T_spline_report<TMesh>& report, const TMesh& t_mesh)
+template <typename Graph>
+std::string describe(const T_spline_report<Graph>& report, const Graph& graph)
 {
   if (report.status == T_spline_status::NOT_SPLINE_COMPATIBLE)
-    return describe(report.compatibility, t_mesh);
+    return describe(report.compatibility, graph);
   return message(report.status) +
-         internal::numbered_elements(t_mesh, report.vertex, boost::graph_traits<TMesh>::null_face());
+         internal::numbered_elements(graph, report.vertex, boost::graph_traits<Graph>::null_face());
 }
 
 } // namespace T_splines

@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/Spline/internal/T_spline_basis.h>
 #include <CGAL/T_splines/Spline/internal/rational_jet.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 
@@ -31,9 +32,9 @@ namespace CGAL {
 namespace T_splines {
 
 /// A basis function at a point: its vertex, its value, and its derivatives with respect to u and v of the face.
-template <typename TMesh, typename FT>
+template <typename Graph, typename FT>
 struct Basis_function_jet {
-  typename boost::graph_traits<TMesh>::vertex_descriptor vertex;
+  typename boost::graph_traits<Graph>::vertex_descriptor vertex;
   FT value, du, dv, duu, duv, dvv;
 };
 
@@ -54,32 +55,29 @@ struct Basis_function_jet {
 ///
 /// The constructor reads T-mesh and control points; after a change of control points, call `update_control_points()`;
 /// after a change of the T-mesh, make a new surface. Evaluation may run in any number of threads.
-/// \tparam TMesh a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`; it may be non-simple and have a
-///        border
-/// \tparam HalfedgeKnotMap a readable map, halfedge -> positive number: the knot interval in the units of the
-///        halfedge's face
-/// \tparam HalfedgeCornerMap a readable map, halfedge -> `bool`: the face turns at the halfedge's target
+/// \tparam TMesh a `T_mesh_view` of a `const` graph, which the constructor finds for any model of `TMesh` whose graph is
+///        one of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`; it may have a border
 /// \tparam ControlPointMap a readable map, vertex -> control point: a point with `x()`, `y()`, `z()` (its weight is 1),
 ///         or what has `point()` and `weight()`, such as `Kernel::Weighted_point_3`; see `Control_point_map`
 /// \tparam Kernel_ a CGAL kernel; with one whose `FT` is exact, positions and derivatives are exact
-template <typename TMesh_, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename ControlPointMap,
+template <typename TMesh, typename ControlPointMap,
           typename Kernel_ = typename internal::Control_point_kernel<
               typename boost::property_traits<ControlPointMap>::value_type>::type>
 class T_spline_surface {
 public:
-  using TMesh = TMesh_;
+  using Graph = typename TMesh::Graph;
   using Kernel = Kernel_;
   using FT = typename Kernel::FT;
   using Point_3 = typename Kernel::Point_3;
   using Vector_3 = typename Kernel::Vector_3;
   using Jet = Surface_jet<Kernel>;
   using Curvatures = Surface_curvatures<Kernel>;
-  using Place = T_mesh_place<TMesh, FT>;
-  using vertex_descriptor = typename boost::graph_traits<TMesh>::vertex_descriptor;
-  using face_descriptor = typename boost::graph_traits<TMesh>::face_descriptor;
+  using Place = T_mesh_place<Graph, FT>;
+  using vertex_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
 
 private:
-  using Knot = typename boost::property_traits<HalfedgeKnotMap>::value_type;
+  using Knot = typename TMesh::FT;
   using Basis = internal::T_spline_basis<FT>;
   using Cone_face = typename Basis::Cone_face;
   using Homogeneous = std::array<FT, 4>;
@@ -88,20 +86,20 @@ private:
 public:
   /// prepares the surface, if the T-mesh is spline compatible and the control points are finite with positive weights;
   /// `report()` tells. Complexity: linear in the number of pairs of a basis function and a face where it acts.
-  /// \param t_mesh, knots, corners the T-mesh; the T-mesh must outlive the surface
+  /// \param t_mesh its graph must outlive the surface
   /// \param control_points copied
   /// \param np named parameters: `relative_tolerance`, as for `is_admissible()`
   template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
-  T_spline_surface(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                   const ControlPointMap control_points, const NamedParameters& np = CGAL::parameters::default_values())
+  T_spline_surface(const TMesh& t_mesh, const ControlPointMap control_points,
+                   const NamedParameters& np = CGAL::parameters::default_values())
     : m_control_point_map(control_points),
-      m_indexing(std::make_shared<const internal::Mesh_indexing<TMesh>>(t_mesh))
+      m_indexing(std::make_shared<const internal::Mesh_indexing<Graph>>(t_mesh.graph()))
   {
-    if (!internal::is_known_admissible(t_mesh, knots, corners, np, m_report.compatibility)) {
+    if (!internal::is_known_admissible(t_mesh, np, m_report.compatibility)) {
       m_report.status = T_spline_status::NOT_SPLINE_COMPATIBLE;
       return;
     }
-    internal::Spline_structure<Knot, FT> structure(*m_indexing, knots, corners);
+    internal::Spline_structure<Knot, FT> structure(*m_indexing, t_mesh);
     const auto basis = std::make_shared<Basis>();
     internal::Spline_defect defect = internal::defect_before_supports(structure);
     if (!defect)
@@ -116,10 +114,10 @@ public:
   }
 
   /// returns whether the surface can be evaluated, and if not, why.
-  const T_spline_report<TMesh>& report() const { return m_report; }
+  const T_spline_report<Graph>& report() const { return m_report; }
   bool is_valid() const { return m_report.success(); }
 
-  const TMesh& t_mesh() const { return m_indexing->graph(); }
+  const Graph& graph() const { return m_indexing->graph(); }
   std::size_t number_of_control_points() const { return m_controls.size(); }
 
   /// reads the control points again. Complexity: linear. \return whether the surface can be evaluated; see `report()`
@@ -127,7 +125,7 @@ public:
   {
     if (m_basis == nullptr)
       return false;
-    m_report = T_spline_report<TMesh>();
+    m_report = T_spline_report<Graph>();
     m_controls.resize(m_indexing->number_of_vertices());
     for (int v = 0; v < m_indexing->number_of_vertices(); ++v) {
       m_controls[v] = internal::homogeneous<FT>(get(m_control_point_map, m_indexing->vertex(v)));
@@ -207,7 +205,7 @@ public:
     return out;
   }
 
-  /// writes the basis functions that act at a point (`Basis_function_jet<TMesh, FT>`), each vertex once: the polynomial
+  /// writes the basis functions that act at a point (`Basis_function_jet<Graph, FT>`), each vertex once: the polynomial
   /// ones B_i, without weights. Divide by their sum for the rational form. \pre as for `position()`
   template <typename OutputIterator>
   OutputIterator basis_functions(const face_descriptor f, const FT& u, const FT& v, OutputIterator out) const
@@ -236,7 +234,7 @@ public:
     }
     for (const auto& [vertex, jet] : sums)
       *out++ =
-          Basis_function_jet<TMesh, FT>{m_indexing->vertex(vertex), jet[0], jet[1], jet[2], jet[3], jet[4], jet[5]};
+          Basis_function_jet<Graph, FT>{m_indexing->vertex(vertex), jet[0], jet[1], jet[2], jet[3], jet[4], jet[5]};
     return out;
   }
 
@@ -244,8 +242,8 @@ public:
   const Basis& basis() const { return *m_basis; }
   const internal::T_mesh_arrays<FT>& t_mesh_arrays() const { return m_basis->t_mesh(); }
   const std::shared_ptr<const Basis>& shared_basis() const { return m_basis; }
-  const internal::Mesh_indexing<TMesh>& indexing() const { return *m_indexing; }
-  const std::shared_ptr<const internal::Mesh_indexing<TMesh>>& shared_indexing() const { return m_indexing; }
+  const internal::Mesh_indexing<Graph>& indexing() const { return *m_indexing; }
+  const std::shared_ptr<const internal::Mesh_indexing<Graph>>& shared_indexing() const { return m_indexing; }
   const std::vector<Homogeneous>& homogeneous_control_points() const { return m_controls; }
   const std::vector<Homogeneous>& cone_coefficients(const int cone_face) const
   {
@@ -319,12 +317,19 @@ private:
   }
 
   ControlPointMap m_control_point_map;
-  std::shared_ptr<const internal::Mesh_indexing<TMesh>> m_indexing;
+  std::shared_ptr<const internal::Mesh_indexing<Graph>> m_indexing;
   std::shared_ptr<const Basis> m_basis; // null if the T-mesh is not spline compatible
   std::vector<Homogeneous> m_controls;  // per vertex
   std::vector<std::vector<Homogeneous>> m_cone_coefficients;
-  T_spline_report<TMesh> m_report;
+  T_spline_report<Graph> m_report;
 };
+
+template <typename TMesh, typename ControlPointMap>
+T_spline_surface(const TMesh&, ControlPointMap) -> T_spline_surface<Const_T_mesh_view_of<TMesh>, ControlPointMap>;
+
+template <typename TMesh, typename ControlPointMap, typename NamedParameters>
+T_spline_surface(const TMesh&, ControlPointMap, const NamedParameters&)
+    -> T_spline_surface<Const_T_mesh_view_of<TMesh>, ControlPointMap>;
 
 } // namespace T_splines
 } // namespace CGAL

@@ -23,7 +23,7 @@ namespace T_splines {
 /// \return the patches; they do not depend on `surface` any more, but on its T-mesh.
 /// Complexity: linear in the number of pairs of a basis function and a patch where it acts.
 template <typename Surface, typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Compiled_T_spline<typename Surface::TMesh, typename Surface::Kernel>
+Compiled_T_spline<typename Surface::Graph, typename Surface::Kernel>
 compile_T_spline(const Surface& surface, const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;

@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Spline/T_spline_fit_report.h>
 #include <CGAL/T_splines/Spline/internal/T_spline_fitter.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_sample.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -41,9 +42,9 @@ bool is_clamped(FT& x, const FT& size)
 }
 
 // The samples in indices. Fills the report and returns an empty vector if one is invalid, or none has a weight.
-template <typename FT, typename TMesh, typename SampleRange>
-std::vector<Fitting_sample<FT>> fitting_samples(const Mesh_indexing<TMesh>& indexing, const T_mesh_arrays<FT>& t_mesh,
-                                                const SampleRange& samples, T_spline_fit_report<TMesh>& report)
+template <typename FT, typename Graph, typename SampleRange>
+std::vector<Fitting_sample<FT>> fitting_samples(const Mesh_indexing<Graph>& indexing, const T_mesh_arrays<FT>& t_mesh,
+                                                const SampleRange& samples, T_spline_fit_report<Graph>& report)
 {
   std::vector<Fitting_sample<FT>> result;
   FT weight(0);
@@ -71,10 +72,10 @@ std::vector<Fitting_sample<FT>> fitting_samples(const Mesh_indexing<TMesh>& inde
 }
 
 // The weights of the control points: 1 unless given.
-template <typename FT, typename TMesh, typename NamedParameters>
-auto control_point_weights(const TMesh&, const NamedParameters& np)
+template <typename FT, typename Graph, typename NamedParameters>
+auto control_point_weights(const Graph&, const NamedParameters& np)
 {
-  using vertex_descriptor = typename boost::graph_traits<TMesh>::vertex_descriptor;
+  using vertex_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;
   return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, np_tags::vertex_weight_map),
                                             CGAL::Constant_property_map<vertex_descriptor, FT>(FT(1)));
 }
@@ -94,13 +95,12 @@ auto control_point_weights(const TMesh&, const NamedParameters& np)
 ///
 /// Then the samples are moved to the points of the surface that are closest nearby, and the surface is fitted again, as
 /// long as this reduces the root mean square of the distances by 2 percent or more (parameter correction).
-/// \tparam TMesh a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`; it may be non-simple
-/// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_spline_surface`
-/// \tparam SampleRange a range of `T_mesh_sample<TMesh, Kernel>`, or of what has the members `place`, `point`,
+/// \tparam TMesh a model of `TMesh`, with a graph as for `T_spline_surface`
+/// \tparam SampleRange a range of `T_mesh_sample<Graph, Kernel>`, or of what has the members `place`, `point`,
 ///        `weight`;
 ///        `Kernel::FT` is the floating point type of the computation
 /// \tparam VertexPointMap a writable map, vertex -> `Kernel::Point_3`
-/// \param t_mesh, knots, corners a spline compatible T-mesh
+/// \param t_mesh a spline compatible T-mesh
 /// \param samples their places are moved upon success, if corrections are asked for
 /// \param control_points written upon success, to euclidean coordinates
 /// \param np optional named parameters:
@@ -115,11 +115,11 @@ auto control_point_weights(const TMesh&, const NamedParameters& np)
 /// \return whether the surface was fitted, if not, why, and how far it is from the samples
 /// Complexity: for each fit linear in the number of samples times the squared number of basis functions that act in a
 /// face (about 20), and one sparse factorization.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename SampleRange,
-          typename VertexPointMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
-T_spline_fit_report<TMesh>
-fit_T_spline(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners, SampleRange& samples,
-             const VertexPointMap control_points, const NamedParameters& np = CGAL::parameters::default_values())
+template <typename TMesh, typename SampleRange, typename VertexPointMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+T_spline_fit_report<T_mesh_graph<TMesh>> fit_T_spline(const TMesh& t_mesh, SampleRange& samples,
+                                                      const VertexPointMap control_points,
+                                                      const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -133,13 +133,13 @@ fit_T_spline(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCor
   const auto visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Progress_visitor());
   auto&& solver = internal::sparse_linear_solver(np);
 
-  T_spline_fit_report<TMesh> report;
+  T_spline_fit_report<T_mesh_graph<TMesh>> report;
   if (!(fairness >= FT(0)) || !std::isfinite(fairness)) {
     report.status = T_spline_fit_status::INVALID_FAIRNESS;
     return report;
   }
-  internal::T_spline_fitter<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Kernel> fitter(
-      t_mesh, knots, corners, internal::control_point_weights<FT>(t_mesh, np), np);
+  internal::T_spline_fitter<Const_T_mesh_view_of<TMesh>, Kernel> fitter(
+      t_mesh, internal::control_point_weights<FT>(t_mesh.graph(), np), np);
   report.surface = fitter.fitted().surface().report();
   if (!report.surface.success()) {
     report.status = T_spline_fit_status::INVALID_SURFACE;
@@ -160,7 +160,7 @@ fit_T_spline(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCor
     sample.place.v = fitting_samples[i].v;
     ++i;
   }
-  for (const auto v : CGAL::make_range(vertices(t_mesh)))
+  for (const auto v : CGAL::make_range(vertices(t_mesh.graph())))
     put(control_points, v, fitter.fitted().control_point(v));
   return report;
 }

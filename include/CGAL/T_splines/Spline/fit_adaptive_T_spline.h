@@ -7,9 +7,12 @@
 #include <CGAL/T_splines/Progress_visitor.h>
 #include <CGAL/T_splines/Solver/default_solver.h>
 #include <CGAL/T_splines/Spline/Adaptive_fit_report.h>
+#include <CGAL/T_splines/Spline/T_spline.h>
 #include <CGAL/T_splines/Spline/fit_T_spline.h>
 #include <CGAL/T_splines/Spline/internal/Adaptive_fit.h>
 #include <CGAL/T_splines/T_mesh/Carried_surface.h>
+#include <CGAL/T_splines/T_mesh/T_mesh.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -34,10 +37,10 @@ namespace T_splines {
 /// The visitor of an adaptive fit that does nothing, and the list of what such a visitor offers: a `Progress_visitor`
 /// that also sees the levels.
 struct Adaptive_fit_visitor : Progress_visitor {
-  /// is called when a level is fitted, with its T-mesh and control points, which do not last.
-  template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename VertexPointMap>
-  void level_fitted(const T_spline_fit_level& /*level*/, const TMesh& /*t_mesh*/, const HalfedgeKnotMap /*knots*/,
-                    const HalfedgeCornerMap /*corners*/, const VertexPointMap /*control_points*/) const
+  /// is called when a level is fitted, with its T-mesh, a model of `TMesh`, whose points are the control points. It does
+  /// not last.
+  template <typename TMesh>
+  void level_fitted(const T_spline_fit_level& /*level*/, const TMesh& /*t_mesh*/) const
   {
   }
 };
@@ -46,9 +49,9 @@ namespace internal {
 
 /// The same surface, on the copy of a T-mesh whose elements have the same order. Points and triangles that are near to
 /// each other in space are so in memory: most of the time of a fit is spent with going from triangle to triangle.
-template <typename TMesh, typename ToTMesh>
-Carried_surface<ToTMesh> copied_surface(const Mesh_indexing<TMesh>& indexing, const Carried_surface<TMesh>& surface,
-                                        const ToTMesh& to)
+template <typename Graph, typename ToGraph>
+Carried_surface<ToGraph> copied_surface(const Mesh_indexing<Graph>& indexing, const Carried_surface<Graph>& surface,
+                                        const ToGraph& to)
 {
   const auto& points = surface.points();
   std::vector<std::size_t> order(points.size()), place(points.size());
@@ -57,7 +60,7 @@ Carried_surface<ToTMesh> copied_surface(const Mesh_indexing<TMesh>& indexing, co
   CGAL::spatial_sort(
       order.begin(), order.end(),
       CGAL::Spatial_sort_traits_adapter_3<CGAL::Simple_cartesian<double>, decltype(point_map)>(point_map));
-  Carried_surface<ToTMesh> result;
+  Carried_surface<ToGraph> result;
   for (std::size_t i = 0; i < order.size(); ++i) {
     place[order[i]] = i;
     result.add_point(points[order[i]]);
@@ -101,17 +104,13 @@ Carried_surface<ToTMesh> copied_surface(const Mesh_indexing<TMesh>& indexing, co
 /// `check_T_spline_self_intersections()`; what they find is refined, too. So `WITHIN_TOLERANCE` is what these find.
 ///
 /// A good start is the coarsest T-mesh there is: a regularized motorcycle graph.
-/// \tparam TMesh a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`; it may be non-simple
-/// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_spline_surface`; knots of any number type
-/// \tparam OutTMesh a model of `MutableFaceGraph` and of the concepts of `TMesh`
-/// \tparam OutKnotMap, OutCornerMap, OutPointMap writable maps of its halfedges and vertices; the floating point type of
-///        the points is that of the computation
-/// \param t_mesh, knots, corners an admissible T-mesh; not changed
+/// \tparam TMesh a model of `TMesh` whose graph is one of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`; its
+///         knots may be of any number type
+/// \tparam Kernel the computation is in its number type, a floating point type
+/// \param t_mesh admissible
 /// \param surface the mesh, on the T-mesh: `carry_surface()` makes it. Its images cover all faces
 /// \param tolerance the largest distance allowed between mesh and surface, in the units of the points; positive
-/// \param out_t_mesh, out_knots, out_corners, out_control_points receive the best level: the T-mesh, its knots in the
-///        floating point type of the points, and the control points, whose weights are 1; written upon success only.
-///        \pre `out_t_mesh` is empty
+/// \param spline receives the best level, with weights of 1; written upon success only. \pre It is empty
 /// \param np optional named parameters:
 ///   `T_splines::parameters::maximum_number_of_control_points`: a `std::size_t` (5000, or if that is more, four times as
 ///     many as the coarsest spline compatible T-mesh has, or half as many as the mesh has vertices);
@@ -123,24 +122,18 @@ Carried_surface<ToTMesh> copied_surface(const Mesh_indexing<TMesh>& indexing, co
 ///   `T_splines::parameters::relative_tolerance`, as for `is_admissible()`
 /// \return why it ended, and the errors of all levels. Complexity: as `fit_T_spline()` and `make_spline_compatible()`
 /// for each level.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename OutTMesh, typename OutKnotMap,
-          typename OutCornerMap, typename OutPointMap,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Adaptive_fit_report<TMesh>
-fit_adaptive_T_spline(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                      const Carried_surface<TMesh>& surface, const double tolerance, OutTMesh& out_t_mesh,
-                      const OutKnotMap out_knots, const OutCornerMap out_corners, const OutPointMap out_control_points,
-                      const NamedParameters& np = CGAL::parameters::default_values())
+template <typename TMesh, typename Kernel, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Adaptive_fit_report<T_mesh_graph<TMesh>>
+fit_adaptive_T_spline(const TMesh& t_mesh, const Carried_surface<T_mesh_graph<TMesh>>& surface, const double tolerance,
+                      T_spline<Kernel>& spline, const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using Point_3 = typename boost::property_traits<OutPointMap>::value_type;
-  using Kernel = typename CGAL::Kernel_traits<Point_3>::Kernel;
   static_assert(std::is_floating_point<typename Kernel::FT>::value, "fits are computed in a floating point type");
   const auto visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Adaptive_fit_visitor());
   auto&& solver = internal::sparse_linear_solver(np);
 
-  Adaptive_fit_report<TMesh> report;
+  Adaptive_fit_report<T_mesh_graph<TMesh>> report;
   if (!(tolerance > 0) || !std::isfinite(tolerance)) {
     report.status = Adaptive_fit_status::INVALID_TOLERANCE;
     return report;
@@ -158,24 +151,18 @@ fit_adaptive_T_spline(const TMesh& t_mesh, const HalfedgeKnotMap knots, const Ha
     report.status = Adaptive_fit_status::NO_SURFACE;
     return report;
   }
-  if (!internal::is_known_admissible(t_mesh, knots, corners, np, report.fit.surface.compatibility)) {
+  if (!internal::is_known_admissible(t_mesh, np, report.fit.surface.compatibility)) {
     report.status = Adaptive_fit_status::INADMISSIBLE;
     return report;
   }
-  const internal::Mesh_indexing<TMesh> indexing(t_mesh);
-  internal::Working_t_mesh<Kernel> working;
-  internal::copy_t_mesh(indexing, knots, corners, working.mesh, working.knots, working.corners);
+  const internal::Mesh_indexing<T_mesh_graph<TMesh>> indexing(t_mesh.graph());
+  T_mesh<typename Kernel::Point_3, typename Kernel::FT> working;
+  copy_T_mesh(t_mesh, working);
   internal::Adaptive_fit<Kernel, std::decay_t<decltype(solver)>, std::decay_t<decltype(visitor)>> fit(
-      working, internal::copied_surface(indexing, surface, working.mesh), options, solver, visitor);
+      working, internal::copied_surface(indexing, surface, working.graph()), options, solver, visitor);
   fit.run(report);
-  if (!report.success())
-    return report;
-  const internal::Working_t_mesh<Kernel>& best = fit.best();
-  internal::copy_t_mesh(internal::Mesh_indexing<typename internal::Working_t_mesh<Kernel>::Mesh>(best.mesh), best.knots,
-                        best.corners, out_t_mesh, out_knots, out_corners);
-  auto point = best.mesh.points().begin();
-  for (const auto v : CGAL::make_range(vertices(out_t_mesh)))
-    put(out_control_points, v, *point++);
+  if (report.success())
+    spline = T_spline<Kernel>(fit.best());
   return report;
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Spline/internal/Homogeneous_vector.h>
 #include <CGAL/T_splines/Spline/internal/Knot_line.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
@@ -21,11 +22,11 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_type_basic.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -33,18 +34,19 @@ namespace T_splines {
 namespace internal {
 
 // Inserts a line into a T-mesh and moves the control points beside it.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename ControlPointMap>
+// \tparam TMesh a `T_mesh_view`
+template <typename TMesh, typename ControlPointMap>
 class Knot_line_insertion {
-  using Traits = boost::graph_traits<TMesh>;
-  using vertex_descriptor = typename Traits::vertex_descriptor;
-  using halfedge_descriptor = typename Traits::halfedge_descriptor;
-  using face_descriptor = typename Traits::face_descriptor;
-  using Knot = typename boost::property_traits<HalfedgeKnotMap>::value_type;
+  using Graph = typename TMesh::Graph;
+  using vertex_descriptor = typename TMesh::vertex_descriptor;
+  using halfedge_descriptor = typename TMesh::halfedge_descriptor;
+  using face_descriptor = typename TMesh::face_descriptor;
+  using Knot = typename TMesh::FT;
   using Control_point = typename boost::property_traits<ControlPointMap>::value_type;
   using FT = typename Control_point_kernel<Control_point>::type::FT;
   using Homogeneous = Homogeneous_vector<FT>;
   using Arrays = T_mesh_arrays<Knot>;
-  using Report = Knot_insertion_report<TMesh>;
+  using Report = Knot_insertion_report<Graph>;
 
   // A new vertex: it comes into the edge of a halfedge, at a distance from its source.
   struct New_vertex {
@@ -66,11 +68,8 @@ class Knot_line_insertion {
   };
 
 public:
-  Knot_line_insertion(TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                      const ControlPointMap control_points)
+  Knot_line_insertion(const TMesh& t_mesh, const ControlPointMap control_points)
     : m_t_mesh(t_mesh),
-      m_knots(knots),
-      m_corners(corners),
       m_control_points(control_points)
   {
   }
@@ -80,12 +79,12 @@ public:
   Report prepare(const face_descriptor f, const int axis, const Knot& x, const NamedParameters& np)
   {
     Report report;
-    if (!is_known_admissible(m_t_mesh, m_knots, m_corners, np, report.compatibility)) {
+    if (!is_known_admissible(m_t_mesh, np, report.compatibility)) {
       report.status = Knot_insertion_status::NOT_SPLINE_COMPATIBLE;
       return report;
     }
-    const Mesh_indexing<TMesh> indexing(m_t_mesh);
-    Spline_structure<Knot> structure(indexing, m_knots, m_corners);
+    const Mesh_indexing<Graph> indexing(m_t_mesh.graph());
+    Spline_structure<Knot> structure(indexing, m_t_mesh);
     Spline_defect defect = defect_before_supports(structure);
     if (!defect)
       defect = structure.find_supports([](int, const Basis_support<Knot>&) {});
@@ -117,11 +116,11 @@ public:
   template <typename Visitor>
   void run(const Visitor& visitor) const
   {
-    T_mesh_editor<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Visitor> editor(m_t_mesh, m_knots, m_corners, visitor);
+    T_mesh_editor editor(m_t_mesh, visitor);
     for (const Row& row : m_rows) {
       const auto edit = editor.insert_vertex(row.new_vertex.halfedge, row.new_vertex.distance);
       CGAL_assertion(bool(edit));
-      const vertex_descriptor v = target(edit.halfedge, m_t_mesh);
+      const vertex_descriptor v = target(edit.halfedge, m_t_mesh.graph());
       for (int j = 0, k = 1; j < 3; ++j)
         put_control_point(j == m_column ? v : row.vertices[k++], row.controls[j]);
     }
@@ -142,7 +141,7 @@ private:
       return size * Knot(1e-6);
   }
 
-  void add(const Knot_line<Knot>& line, const Knot& part, const Arrays& arrays, const Mesh_indexing<TMesh>& indexing,
+  void add(const Knot_line<Knot>& line, const Knot& part, const Arrays& arrays, const Mesh_indexing<Graph>& indexing,
            Report& report)
   {
     m_column = line.column();
@@ -186,9 +185,7 @@ private:
       put(m_control_points, v, Control_point(h[0], h[1], h[2]));
   }
 
-  TMesh& m_t_mesh;
-  HalfedgeKnotMap m_knots;
-  HalfedgeCornerMap m_corners;
+  TMesh m_t_mesh;
   ControlPointMap m_control_points;
   int m_column = 1;
   std::vector<Row> m_rows;
@@ -230,13 +227,11 @@ private:
 ///
 /// The result is spline compatible: the rings are what they were, supports only shrink, and that of the new vertex is a
 /// part of one that its neighbour had.
-/// \tparam TMesh a model of `MutableFaceGraph`, `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`; it may be
-///         non-simple and have a border
-/// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_mesh_editor`
+/// \tparam TMesh a model of `TMesh` whose graph is one of `MutableFaceGraph`, `FaceListGraph`, `HalfedgeListGraph` and
+///         `VertexListGraph`; it may have a border
 /// \tparam ControlPointMap a read/write map, vertex -> control point: `Kernel::Weighted_point_3`, as of
 ///         `Control_point_map`, or `Kernel::Point_3`, whose weights are 1 and stay so. Its values may also be set at
 ///         vertices that the graph has just added.
-/// \param t_mesh, knots, corners the T-mesh
 /// \param control_points those of three vertices of each row change, the new one included; all are affine combinations
 ///        of two, in homogeneous coordinates
 /// \param f, axis, x the line is u = `x` in the frame of `f` if `axis` is 0, v = `x` if it is 1. With inexact knots, it
@@ -247,20 +242,19 @@ private:
 ///         round-off.
 /// \pre `axis` is 0 or 1
 /// Complexity: linear in the number of pairs of a vertex and a face of its support, since the whole T-mesh is checked.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename ControlPointMap,
+template <typename TMesh, typename ControlPointMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Knot_insertion_report<TMesh>
-insert_knot_line(TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                 const ControlPointMap control_points, const typename boost::graph_traits<TMesh>::face_descriptor f,
-                 const int axis, const typename boost::property_traits<HalfedgeKnotMap>::value_type& x,
+Knot_insertion_report<T_mesh_graph<TMesh>>
+insert_knot_line(TMesh&& t_mesh, const ControlPointMap control_points,
+                 const typename std::decay_t<TMesh>::face_descriptor f, const int axis,
+                 const typename std::decay_t<TMesh>::FT& x,
                  const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   CGAL_precondition_msg(axis == 0 || axis == 1, "the axis is neither 0 nor 1");
-  internal::Knot_line_insertion<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, ControlPointMap> insertion(
-      t_mesh, knots, corners, control_points);
-  const Knot_insertion_report<TMesh> report = insertion.prepare(f, axis, x, np);
+  internal::Knot_line_insertion<T_mesh_view_of<TMesh>, ControlPointMap> insertion(t_mesh, control_points);
+  const auto report = insertion.prepare(f, axis, x, np);
   if (report)
     insertion.run(choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor()));
   return report;

@@ -20,8 +20,6 @@
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -37,10 +35,10 @@ namespace internal {
 /// Measures a compiled surface against a mesh.
 template <typename Compiled, typename TriangleMesh>
 class Deviation_measurement {
-  using TMesh = typename Compiled::TMesh;
+  using Graph = typename Compiled::Graph;
   using Measured = Measured_surface<Compiled>;
-  using Report = T_spline_deviation_report<TMesh, TriangleMesh>;
-  using Place = Deviation_place<TMesh, TriangleMesh>;
+  using Report = T_spline_deviation_report<Graph, TriangleMesh>;
+  using Place = Deviation_place<Graph, TriangleMesh>;
 
 public:
   /// \param reading of the mesh: successful
@@ -183,7 +181,7 @@ private:
 template <typename Surface>
 decltype(auto) as_compiled(const Surface& surface)
 {
-  using Compiled = Compiled_T_spline<typename Surface::TMesh, typename Surface::Kernel>;
+  using Compiled = Compiled_T_spline<typename Surface::Graph, typename Surface::Kernel>;
   if constexpr (std::is_same<Surface, Compiled>::value)
     return (surface);
   else
@@ -221,20 +219,20 @@ decltype(auto) as_compiled(const Surface& surface)
 /// mesh. Complexity: for n triangles and patches, n log n as a rule.
 template <typename Surface, typename TriangleMesh,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-T_spline_deviation_report<typename Surface::TMesh, TriangleMesh>
+T_spline_deviation_report<typename Surface::Graph, TriangleMesh>
 measure_T_spline_deviation(const Surface& surface, const TriangleMesh& mesh,
                            const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using Compiled = Compiled_T_spline<typename Surface::TMesh, typename Surface::Kernel>;
+  using Compiled = Compiled_T_spline<typename Surface::Graph, typename Surface::Kernel>;
   const auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, mesh));
   const auto distance_map = get_parameter(np, np_tags::vertex_distance_map);
   const auto deviation_map = get_parameter(np, np_tags::face_deviation_map);
   const auto fold_map = get_parameter(np, np_tags::face_is_folded_map);
 
-  T_spline_deviation_report<typename Surface::TMesh, TriangleMesh> report;
+  T_spline_deviation_report<typename Surface::Graph, TriangleMesh> report;
   report.tolerance = choose_parameter(get_parameter(np, np_tags::tolerance), (std::numeric_limits<double>::infinity)());
   internal::Triangle_set triangles;
   const auto reading = internal::read_triangle_set(mesh, point_map, triangles);

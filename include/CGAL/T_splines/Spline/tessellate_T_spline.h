@@ -9,8 +9,8 @@
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/assertions.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
@@ -28,12 +28,12 @@ namespace T_splines {
 
 /// A triangulation of the parameter domain of a T-spline surface: places, and triangles of three numbers of places,
 /// seen counter-clockwise, with the faces in which they lie.
-/// \tparam TMesh the T-mesh
-template <typename TMesh, typename FT>
+/// \tparam Graph the T-mesh
+template <typename Graph, typename FT>
 struct T_spline_tessellation {
-  std::vector<T_mesh_place<TMesh, FT>> places;
+  std::vector<T_mesh_place<Graph, FT>> places;
   std::vector<std::array<std::size_t, 3>> triangles;
-  std::vector<typename boost::graph_traits<TMesh>::face_descriptor> faces; ///< of the T-mesh, per triangle
+  std::vector<typename boost::graph_traits<Graph>::face_descriptor> faces; ///< of the T-mesh, per triangle
 };
 
 /// triangulates the parameter domain of a T-spline surface without cracks: triangles on both sides of an edge share its
@@ -44,12 +44,12 @@ struct T_spline_tessellation {
 /// \return places and triangles; evaluate the surface there: `surface.positions(tessellation.places, ...)`.
 /// Complexity: linear in the size of the result.
 template <typename Surface>
-T_spline_tessellation<typename Surface::TMesh, typename Surface::FT> tessellate_parameter_domain(const Surface& surface,
+T_spline_tessellation<typename Surface::Graph, typename Surface::FT> tessellate_parameter_domain(const Surface& surface,
                                                                                                  const int resolution)
 {
   CGAL_precondition_msg(resolution >= 2, "the resolution must be at least 2");
   const internal::Face_tessellation<typename Surface::FT> faces(surface.t_mesh_arrays(), resolution);
-  T_spline_tessellation<typename Surface::TMesh, typename Surface::FT> result;
+  T_spline_tessellation<typename Surface::Graph, typename Surface::FT> result;
   result.places.reserve(faces.places().size());
   for (const auto& place : faces.places())
     result.places.push_back({surface.indexing().face(place.face), place.u, place.v});
@@ -66,7 +66,7 @@ namespace internal {
 /// the places and the triangles.
 template <typename Surface, typename TriangleMesh, typename NamedParameters>
 void add_tessellation(const Surface& surface,
-                      const T_spline_tessellation<typename Surface::TMesh, typename Surface::FT>& tessellation,
+                      const T_spline_tessellation<typename Surface::Graph, typename Surface::FT>& tessellation,
                       TriangleMesh& mesh, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
@@ -109,7 +109,7 @@ void add_tessellation(const Surface& surface,
 /// \param np optional named parameters:
 ///   `T_splines::parameters::output_vertex_point_map`: points of the mesh (default: its internal map);
 ///   `CGAL::parameters::vertex_normal_map`: vertex -> `Vector_3`, writable: unit normals of the surface;
-///   `T_splines::parameters::vertex_place_map`: vertex -> `T_mesh_place<TMesh, FT>`, writable: where the vertex lies on
+///   `T_splines::parameters::vertex_place_map`: vertex -> `T_mesh_place<Graph, FT>`, writable: where the vertex lies on
 ///     the surface
 /// Complexity: linear in the size of the result, for a `T_spline_surface` times the number of basis functions of a
 /// face.

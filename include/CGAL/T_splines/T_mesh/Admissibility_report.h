@@ -11,11 +11,11 @@ namespace T_splines {
 
 /// Whether halfedge knots are admissible on a T-mesh, and if not, why.
 enum class Admissibility_status {
-  ADMISSIBLE,            ///< all conditions hold
-  NON_POSITIVE_KNOT,     ///< the knot interval of `halfedge`, of `face`, is `defect`, not positive
-  KNOT_NOT_FINITE,       ///< the knot interval of `halfedge`, of `face`, is infinite or not a number
-  WRONG_CORNER_COUNT,    ///< `face` has `number_of_corners` corners instead of four
-  OPPOSITE_SIDES_DIFFER, ///< two opposite sides of `face` differ; `halfedge` begins the one that `defect` is about
+  ADMISSIBLE,              ///< all conditions hold
+  NON_POSITIVE_KNOT,       ///< the knot interval of `halfedge`, of `face`, is `defect`, not positive
+  KNOT_NOT_FINITE,         ///< the knot interval of `halfedge`, of `face`, is infinite or not a number
+  WRONG_CORNER_COUNT,      ///< `face` has `number_of_corners` corners instead of four
+  OPPOSITE_SIDES_DIFFER,   ///< two opposite sides of `face` differ; `halfedge` begins the one that `defect` is about
   CYCLE_CONDITION_VIOLATED ///< the product of the knot ratios around `vertex` is `1 + defect`
 };
 
@@ -36,10 +36,10 @@ inline const char* message(const Admissibility_status status)
 
 /// The result of `is_admissible()`: what is wrong, where, and how much. Members that `status` does not mention have no
 /// meaning.
-/// \tparam TMesh a model of `FaceGraph`.
-template <typename TMesh>
+/// \tparam Graph a model of `FaceGraph`.
+template <typename Graph>
 struct Admissibility_report {
-  using Traits = boost::graph_traits<TMesh>;
+  using Traits = boost::graph_traits<Graph>;
 
   Admissibility_status status = Admissibility_status::ADMISSIBLE;
   typename Traits::vertex_descriptor vertex = Traits::null_vertex();

@@ -25,15 +25,15 @@ namespace T_splines {
 ///
 /// Give `visitor()` to the operations that change the T-mesh; each takes time linear in the number of points in the
 /// faces that it touches.
-/// \tparam TMesh a model of `FaceGraph`
+/// \tparam Graph a model of `FaceGraph`
 /// \tparam NT the number type of the points' coordinates: `double`, or an exact one
 /// \tparam Payload a copyable type: what a point carries with it, such as its place on a surface
-template <typename TMesh, typename NT_, typename Payload_>
+template <typename Graph, typename NT_, typename Payload_>
 class Carried_points {
 public:
   using NT = NT_;
   using Payload = Payload_;
-  using face_descriptor = typename boost::graph_traits<TMesh>::face_descriptor;
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
 
   /// A point in the frame of a face.
   struct Point {
@@ -47,7 +47,7 @@ public:
     explicit Visitor(Carried_points& points) : m_points(&points) {}
 
     template <typename FT>
-    void faces_replaced(const std::vector<T_mesh_piece<TMesh, FT>>& pieces) const
+    void faces_replaced(const std::vector<T_mesh_piece<Graph, FT>>& pieces) const
     {
       m_points->replace_faces(pieces);
     }
@@ -74,12 +74,12 @@ public:
   /// moves the points of the faces that are listed as `from`, each by its piece. Round-off may leave a point outside of
   /// all pieces by a little: it goes by the one that it is closest to.
   template <typename FT>
-  void replace_faces(const std::vector<T_mesh_piece<TMesh, FT>>& pieces)
+  void replace_faces(const std::vector<T_mesh_piece<Graph, FT>>& pieces)
   {
     std::vector<std::vector<Converted_piece>> pieces_of;
     std::vector<std::vector<Point>> old_points;
     std::unordered_map<face_descriptor, std::size_t, boost::hash<face_descriptor>> index;
-    for (const T_mesh_piece<TMesh, FT>& piece : pieces) {
+    for (const T_mesh_piece<Graph, FT>& piece : pieces) {
       const auto inserted = index.emplace(piece.from, old_points.size());
       if (inserted.second) {
         old_points.emplace_back();
@@ -116,7 +116,7 @@ private:
   }
 
   template <typename FT>
-  static Converted_piece converted(const T_mesh_piece<TMesh, FT>& piece)
+  static Converted_piece converted(const T_mesh_piece<Graph, FT>& piece)
   {
     const Similarity_2<FT>& t = piece.transition;
     return {piece.to, Similarity_2<NT>(t.quarter_turns(), number(t.scale()), number(t.u()), number(t.v())),

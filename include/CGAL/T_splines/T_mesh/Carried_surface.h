@@ -31,12 +31,12 @@ namespace T_splines {
 /// `carry_surface()` makes one of a map and the T-mesh that was traced on it; for surfaces of other origin, points,
 /// triangles and images are added one by one. Give `visitor()` to the operations that change the T-mesh; each takes
 /// time n log n in the number of images in the faces that it touches.
-/// \tparam TMesh_ a model of `FaceGraph`
-template <typename TMesh_>
+/// \tparam Graph_ a model of `FaceGraph`
+template <typename Graph_>
 class Carried_surface {
 public:
-  using TMesh = TMesh_;
-  using face_descriptor = typename boost::graph_traits<TMesh>::face_descriptor;
+  using Graph = Graph_;
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
   using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
   using Parameters = std::array<double, 2>;
   using Triangle = std::array<std::size_t, 3>; ///< numbers of points, seen counter-clockwise from outside
@@ -54,7 +54,7 @@ public:
     explicit Visitor(Carried_surface& surface) : m_surface(&surface) {}
 
     template <typename FT>
-    void faces_replaced(const std::vector<T_mesh_piece<TMesh, FT>>& pieces) const
+    void faces_replaced(const std::vector<T_mesh_piece<Graph, FT>>& pieces) const
     {
       m_surface->replace_faces(pieces);
     }
@@ -95,25 +95,25 @@ public:
 
   /// moves the images of the faces that are listed as `from`: by each piece whose rectangle they meet.
   template <typename FT>
-  void replace_faces(const std::vector<T_mesh_piece<TMesh, FT>>& pieces)
+  void replace_faces(const std::vector<T_mesh_piece<Graph, FT>>& pieces)
   {
     std::unordered_map<face_descriptor, std::vector<Image>, boost::hash<face_descriptor>> old_images;
-    for (const T_mesh_piece<TMesh, FT>& piece : pieces) {
+    for (const T_mesh_piece<Graph, FT>& piece : pieces) {
       const auto found = m_images.find(piece.from);
       if (found == m_images.end())
         continue;
       old_images[piece.from].swap(found->second);
       m_images.erase(found);
     }
-    for (const T_mesh_piece<TMesh, FT>& piece : pieces)
+    for (const T_mesh_piece<Graph, FT>& piece : pieces)
       add_images(old_images[piece.from], piece);
-    for (const T_mesh_piece<TMesh, FT>& piece : pieces)
+    for (const T_mesh_piece<Graph, FT>& piece : pieces)
       remove_duplicates(piece.to);
   }
 
 private:
   template <typename FT>
-  void add_images(const std::vector<Image>& images, const T_mesh_piece<TMesh, FT>& piece)
+  void add_images(const std::vector<Image>& images, const T_mesh_piece<Graph, FT>& piece)
   {
     using internal::converted_number;
     const Similarity_2<FT>& t = piece.transition;

@@ -54,13 +54,13 @@ inline const char* message(const Spline_compatibility_status status)
 
 /// The result of `is_spline_compatible()` and `make_spline_compatible()`: which condition fails, and where. Members
 /// that `status` does not mention have no meaning.
-/// \tparam TMesh a model of `FaceGraph`.
-template <typename TMesh>
+/// \tparam Graph a model of `FaceGraph`.
+template <typename Graph>
 struct Spline_compatibility_report {
-  using Traits = boost::graph_traits<TMesh>;
+  using Traits = boost::graph_traits<Graph>;
 
   Spline_compatibility_status status = Spline_compatibility_status::SPLINE_COMPATIBLE;
-  Admissibility_report<TMesh> admissibility;
+  Admissibility_report<Graph> admissibility;
   typename Traits::vertex_descriptor vertex = Traits::null_vertex();
   typename Traits::vertex_descriptor extraordinary_vertex = Traits::null_vertex();
   typename Traits::face_descriptor face = Traits::null_face();
@@ -73,12 +73,12 @@ struct Spline_compatibility_report {
 };
 
 /// returns what `report` says and the numbers of the elements concerned. Complexity: linear in the size of the T-mesh.
-template <typename TMesh>
-std::string describe(const Spline_compatibility_report<TMesh>& report, const TMesh& t_mesh)
+template <typename Graph>
+std::string describe(const Spline_compatibility_report<Graph>& report, const Graph& graph)
 {
   const bool is_inadmissible = report.status == Spline_compatibility_status::INADMISSIBLE;
   return (is_inadmissible ? message(report.admissibility.status) : message(report.status)) +
-         internal::numbered_elements(t_mesh, report.vertex, report.face);
+         internal::numbered_elements(graph, report.vertex, report.face);
 }
 
 } // namespace T_splines

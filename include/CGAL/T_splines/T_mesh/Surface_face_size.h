@@ -11,7 +11,6 @@
 #include <CGAL/number_type_basic.h>
 
 #include <boost/container_hash/hash.hpp>
-#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
@@ -25,10 +24,11 @@ namespace T_splines {
 
 /// The size of the faces of a T-mesh in the parameter domain: a model of `TMeshFaceSize`. Only for T-meshes whose
 /// knots agree on both sides of each edge this is a size that means the same everywhere.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap>
+/// \tparam TMesh as for `T_mesh_coordinates`
+template <typename TMesh>
 class Parametric_face_size {
 public:
-  using Coordinates = T_mesh_coordinates<TMesh, HalfedgeKnotMap, HalfedgeCornerMap>;
+  using Coordinates = T_mesh_coordinates<TMesh>;
   using face_descriptor = typename Coordinates::face_descriptor;
 
   explicit Parametric_face_size(const Coordinates& coordinates) : m_coordinates(coordinates) {}
@@ -53,10 +53,12 @@ private:
 ///
 /// Functions that change the T-mesh must be given `visitor()`.
 /// \tparam Points a `Carried_points` whose payload is a point with `x()`, `y()`, `z()`
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename Points>
+/// \tparam TMesh as for `T_mesh_coordinates`
+template <typename TMesh, typename Points>
 class Surface_face_size {
 public:
-  using Coordinates = T_mesh_coordinates<TMesh, HalfedgeKnotMap, HalfedgeCornerMap>;
+  using Graph = typename TMesh::Graph;
+  using Coordinates = T_mesh_coordinates<TMesh>;
   using face_descriptor = typename Coordinates::face_descriptor;
 
   /// The visitor that follows the changes of the faces, those of the points included; a model of `TMeshVisitor`.
@@ -65,7 +67,7 @@ public:
     explicit Visitor(Surface_face_size& size) : m_size(&size) {}
 
     template <typename FT>
-    void faces_replaced(const std::vector<T_mesh_piece<TMesh, FT>>& pieces) const
+    void faces_replaced(const std::vector<T_mesh_piece<Graph, FT>>& pieces) const
     {
       m_size->replace_faces(pieces);
     }
@@ -78,7 +80,7 @@ public:
   /// \param points all of them; they must outlive this, and are moved by `visitor()` from now on
   Surface_face_size(const Coordinates& coordinates, Points& points) : m_coordinates(coordinates), m_points(&points)
   {
-    for (const face_descriptor f : faces(coordinates.t_mesh())) {
+    for (const face_descriptor f : faces(coordinates.t_mesh().graph())) {
       const double width = CGAL::to_double(coordinates.width(f)), height = CGAL::to_double(coordinates.height(f));
       m_units.emplace(f, measured(f, width, height).lengths);
     }
@@ -120,11 +122,11 @@ private:
   }
 
   template <typename FT>
-  void replace_faces(const std::vector<T_mesh_piece<TMesh, FT>>& pieces)
+  void replace_faces(const std::vector<T_mesh_piece<Graph, FT>>& pieces)
   {
     // What is known of an old face holds for each new one; where several old ones meet, of the first.
     std::vector<std::array<double, 2>> inherited;
-    for (const T_mesh_piece<TMesh, FT>& piece : pieces) {
+    for (const T_mesh_piece<Graph, FT>& piece : pieces) {
       std::array<double, 2> lengths = units(piece.from);
       if (piece.transition.quarter_turns() % 2 == 1)
         std::swap(lengths[0], lengths[1]);
@@ -132,7 +134,7 @@ private:
       inherited.push_back({lengths[0] / scale, lengths[1] / scale});
     }
     m_points->replace_faces(pieces);
-    for (const T_mesh_piece<TMesh, FT>& piece : pieces)
+    for (const T_mesh_piece<Graph, FT>& piece : pieces)
       m_units.erase(piece.from);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       const auto inserted = m_units.emplace(pieces[i].to, inherited[i]);

@@ -5,12 +5,12 @@
 #define CGAL_T_SPLINES_T_MESH_T_MESH_COORDINATES_H
 
 #include <CGAL/T_splines/Similarity_map/Similarity_2.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <utility>
 
@@ -21,38 +21,37 @@ namespace T_splines {
 /// at each corner of a face and two where a face goes straight on.
 ///
 /// At a cone it is k_v of the holonomy signature, at other inner vertices 4, at regular vertices of a border 2.
-/// \tparam TMesh a model of `HalfedgeGraph` and `FaceGraph`; a vertex may occur several times on a face
-/// \tparam HalfedgeCornerMap a readable map, halfedge -> `bool`
+/// \tparam TMesh a model of `TMesh`; a vertex may occur several times on a face
 /// \param v a vertex of `t_mesh` with at least one edge
-template <typename TMesh, typename HalfedgeCornerMap>
-int extended_valence(const typename boost::graph_traits<TMesh>::vertex_descriptor v, const TMesh& t_mesh,
-                     const HalfedgeCornerMap corners)
+template <typename TMesh>
+int extended_valence(const typename TMesh::vertex_descriptor v, const TMesh& t_mesh)
 {
+  const auto& graph = t_mesh.graph();
   int result = 0;
-  for (const auto h : CGAL::halfedges_around_target(halfedge(v, t_mesh), t_mesh)) {
-    if (face(h, t_mesh) != boost::graph_traits<TMesh>::null_face())
-      result += get(corners, h) ? 1 : 2;
+  for (const auto h : CGAL::halfedges_around_target(halfedge(v, graph), graph)) {
+    if (face(h, graph) != boost::graph_traits<typename TMesh::Graph>::null_face())
+      result += get(t_mesh.corners(), h) ? 1 : 2;
   }
   return result;
 }
 
 /// returns whether a vertex is on the border of a T-mesh.
 template <typename TMesh>
-bool is_border_vertex(const typename boost::graph_traits<TMesh>::vertex_descriptor v, const TMesh& t_mesh)
+bool is_border_vertex(const typename TMesh::vertex_descriptor v, const TMesh& t_mesh)
 {
-  for (const auto h : CGAL::halfedges_around_target(halfedge(v, t_mesh), t_mesh)) {
-    if (face(h, t_mesh) == boost::graph_traits<TMesh>::null_face())
+  const auto& graph = t_mesh.graph();
+  for (const auto h : CGAL::halfedges_around_target(halfedge(v, graph), graph)) {
+    if (face(h, graph) == boost::graph_traits<typename TMesh::Graph>::null_face())
       return true;
   }
   return false;
 }
 
 /// returns whether the extended valence of a vertex is not the regular one: 4, or 2 on the border.
-template <typename TMesh, typename HalfedgeCornerMap>
-bool is_extraordinary(const typename boost::graph_traits<TMesh>::vertex_descriptor v, const TMesh& t_mesh,
-                      const HalfedgeCornerMap corners)
+template <typename TMesh>
+bool is_extraordinary(const typename TMesh::vertex_descriptor v, const TMesh& t_mesh)
 {
-  return extended_valence(v, t_mesh, corners) != (is_border_vertex(v, t_mesh) ? 2 : 4);
+  return extended_valence(v, t_mesh) != (is_border_vertex(v, t_mesh) ? 2 : 4);
 }
 
 /// Coordinates in the faces of a T-mesh with halfedge knots.
@@ -63,19 +62,16 @@ bool is_extraordinary(const typename boost::graph_traits<TMesh>::vertex_descript
 ///
 /// The class refers to the T-mesh and follows its changes. Each function takes time linear in the number of halfedges
 /// of one face, or two.
-/// \tparam TMesh a model of `HalfedgeGraph` and `FaceGraph`; it may be non-simple
-/// \tparam HalfedgeKnotMap a readable map, halfedge -> knot interval in the units of the halfedge's face
-/// \tparam HalfedgeCornerMap a readable map, halfedge -> `bool`: its face turns at its target
+/// \tparam TMesh a `T_mesh_view` of a `const` graph, which the constructor finds for any model of `TMesh`
 /// \pre each face has exactly four corners
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap>
+template <typename TMesh>
 class T_mesh_coordinates {
-  using Traits = boost::graph_traits<TMesh>;
-
 public:
-  using FT = typename boost::property_traits<HalfedgeKnotMap>::value_type;
-  using vertex_descriptor = typename Traits::vertex_descriptor;
-  using halfedge_descriptor = typename Traits::halfedge_descriptor;
-  using face_descriptor = typename Traits::face_descriptor;
+  using Graph = typename TMesh::Graph;
+  using FT = typename TMesh::FT;
+  using vertex_descriptor = typename TMesh::vertex_descriptor;
+  using halfedge_descriptor = typename TMesh::halfedge_descriptor;
+  using face_descriptor = typename TMesh::face_descriptor;
 
   /// Where a halfedge lies on the boundary of its face.
   struct Place {
@@ -83,19 +79,14 @@ public:
     FT begin; ///< distance of the halfedge's source from the corner where the side begins
   };
 
-  T_mesh_coordinates(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners)
-    : m_t_mesh(&t_mesh),
-      m_knots(knots),
-      m_corners(corners)
-  {
-  }
+  explicit T_mesh_coordinates(const TMesh& t_mesh) : m_t_mesh(t_mesh) {}
 
-  const TMesh& t_mesh() const { return *m_t_mesh; }
+  const TMesh& t_mesh() const { return m_t_mesh; }
 
   /// returns the first halfedge of the side that contains `h`.
   halfedge_descriptor first_of_side(halfedge_descriptor h) const
   {
-    for (halfedge_descriptor p = prev(h, *m_t_mesh); !get(m_corners, p); p = prev(h, *m_t_mesh))
+    for (halfedge_descriptor p = prev(h, graph()); !m_t_mesh.is_corner(p); p = prev(h, graph()))
       h = p;
     return h;
   }
@@ -103,19 +94,19 @@ public:
   /// returns the last halfedge of the side that contains `h`.
   halfedge_descriptor last_of_side(halfedge_descriptor h) const
   {
-    while (!get(m_corners, h))
-      h = next(h, *m_t_mesh);
+    while (!m_t_mesh.is_corner(h))
+      h = next(h, graph());
     return h;
   }
 
   /// returns the halfedge at which side number `side` of `f` begins.
   halfedge_descriptor first_of_side(const face_descriptor f, const int side) const
   {
-    halfedge_descriptor h = halfedge(f, *m_t_mesh);
+    halfedge_descriptor h = halfedge(f, graph());
     if (side == 0)
       return first_of_side(h);
     for (int i = 0; i < side; ++i)
-      h = next(last_of_side(h), *m_t_mesh);
+      h = next(last_of_side(h), graph());
     return h;
   }
 
@@ -123,24 +114,24 @@ public:
   FT side_length(const halfedge_descriptor h) const
   {
     halfedge_descriptor i = first_of_side(h);
-    FT result = get(m_knots, i);
-    while (!get(m_corners, i)) {
-      i = next(i, *m_t_mesh);
-      result += get(m_knots, i);
+    FT result = m_t_mesh.knot(i);
+    while (!m_t_mesh.is_corner(i)) {
+      i = next(i, graph());
+      result += m_t_mesh.knot(i);
     }
     return result;
   }
 
-  FT width(const face_descriptor f) const { return side_length(halfedge(f, *m_t_mesh)); } ///< of the bottom side
-  FT height(const face_descriptor f) const { return side_length(first_of_side(f, 1)); }   ///< of the side after it
+  FT width(const face_descriptor f) const { return side_length(halfedge(f, graph())); } ///< of the bottom side
+  FT height(const face_descriptor f) const { return side_length(first_of_side(f, 1)); } ///< of the side after it
 
   /// returns the number of the side that contains `h`.
   int side(const halfedge_descriptor h) const
   {
     const halfedge_descriptor last = last_of_side(h);
-    halfedge_descriptor i = last_of_side(halfedge(face(h, *m_t_mesh), *m_t_mesh));
+    halfedge_descriptor i = last_of_side(halfedge(face(h, graph()), graph()));
     int result = 0;
-    for (; i != last; i = last_of_side(next(i, *m_t_mesh)))
+    for (; i != last; i = last_of_side(next(i, graph())))
       ++result;
     CGAL_assertion(result < 4);
     return result;
@@ -150,8 +141,8 @@ public:
   Place place(const halfedge_descriptor h) const
   {
     Place result{side(h), FT(0)};
-    for (halfedge_descriptor i = first_of_side(h); i != h; i = next(i, *m_t_mesh))
-      result.begin += get(m_knots, i);
+    for (halfedge_descriptor i = first_of_side(h); i != h; i = next(i, graph()))
+      result.begin += m_t_mesh.knot(i);
     return result;
   }
 
@@ -170,7 +161,7 @@ public:
   std::pair<FT, FT> source_point(const halfedge_descriptor h) const
   {
     const Place p = place(h);
-    return point(face(h, *m_t_mesh), p.side, p.begin);
+    return point(face(h, graph()), p.side, p.begin);
   }
 
   /// returns the target of `h` in the frame of its face: the frame's coordinates of a vertex, one pair for each
@@ -178,28 +169,31 @@ public:
   std::pair<FT, FT> target_point(const halfedge_descriptor h) const
   {
     const Place p = place(h);
-    return point(face(h, *m_t_mesh), p.side, p.begin + get(m_knots, h));
+    return point(face(h, graph()), p.side, p.begin + m_t_mesh.knot(h));
   }
 
   /// returns the similarity from the frame of the face of `h` to that of the face of its opposite, tau of [CZ17] 4.1.1.
   /// \pre both are faces
   Similarity_2<FT> transition(const halfedge_descriptor h) const
   {
-    const halfedge_descriptor o = opposite(h, *m_t_mesh);
+    const halfedge_descriptor o = opposite(h, graph());
     const Place from = place(h), to = place(o);
-    const std::pair<FT, FT> p = point(face(h, *m_t_mesh), from.side, from.begin);
-    const std::pair<FT, FT> q = point(face(o, *m_t_mesh), to.side, to.begin + get(m_knots, o));
+    const std::pair<FT, FT> p = point(face(h, graph()), from.side, from.begin);
+    const std::pair<FT, FT> q = point(face(o, graph()), to.side, to.begin + m_t_mesh.knot(o));
     const int turns = to.side + 2 - from.side;
-    const FT scale = get(m_knots, o) / get(m_knots, h);
+    const FT scale = m_t_mesh.knot(o) / m_t_mesh.knot(h);
     const std::pair<FT, FT> image = Similarity_2<FT>(turns, scale, FT(0), FT(0))(p.first, p.second);
     return Similarity_2<FT>(turns, scale, q.first - image.first, q.second - image.second);
   }
 
 private:
-  const TMesh* m_t_mesh;
-  HalfedgeKnotMap m_knots;
-  HalfedgeCornerMap m_corners;
+  const Graph& graph() const { return m_t_mesh.graph(); }
+
+  TMesh m_t_mesh;
 };
+
+template <typename TMesh>
+T_mesh_coordinates(const TMesh&) -> T_mesh_coordinates<Const_T_mesh_view_of<TMesh>>;
 
 } // namespace T_splines
 } // namespace CGAL

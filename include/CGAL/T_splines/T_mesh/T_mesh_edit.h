@@ -43,12 +43,12 @@ inline const char* message(const T_mesh_edit_status status)
 
 /// The result of an operation on a T-mesh: how it ended, and if it was executed, a halfedge; each operation says which.
 /// It converts to `true` if the operation was executed.
-/// \tparam TMesh a model of `HalfedgeGraph`
-template <typename TMesh>
+/// \tparam Graph a model of `HalfedgeGraph`
+template <typename Graph>
 struct T_mesh_edit {
-  using halfedge_descriptor = typename boost::graph_traits<TMesh>::halfedge_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<Graph>::halfedge_descriptor;
 
-  T_mesh_edit(const T_mesh_edit_status s, const halfedge_descriptor h = boost::graph_traits<TMesh>::null_halfedge())
+  T_mesh_edit(const T_mesh_edit_status s, const halfedge_descriptor h = boost::graph_traits<Graph>::null_halfedge())
     : status(s),
       halfedge(h)
   {
@@ -62,11 +62,11 @@ struct T_mesh_edit {
 
 /// The chain of edges along which two faces of a T-mesh touch. Lengths are in the units of the face of `first`, except
 /// those called opposite.
-/// \tparam TMesh a model of `HalfedgeGraph`
+/// \tparam Graph a model of `HalfedgeGraph`
 /// \tparam FT the number type of the knots
-template <typename TMesh, typename FT>
+template <typename Graph, typename FT>
 struct T_mesh_overlap {
-  using halfedge_descriptor = typename boost::graph_traits<TMesh>::halfedge_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<Graph>::halfedge_descriptor;
 
   halfedge_descriptor first, last; ///< the first and last halfedge of the chain
   FT begin, end;                   ///< distances of its ends from the beginning of the side

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_edit.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/internal/Line_shift.h>
 #include <CGAL/T_splines/T_mesh/internal/T_mesh_surgery.h>
@@ -30,35 +31,29 @@ namespace T_splines {
 /// square.
 ///
 /// With inexact knots, points whose distance is below 1e-11 of the sides they lie on count as one.
-/// \tparam TMesh a model of `MutableFaceGraph`; it may be non-simple
-/// \tparam HalfedgeKnotMap a read/write map, halfedge -> knot interval; its values may also be set at halfedges that
-///         the graph has just added
-/// \tparam HalfedgeCornerMap a read/write map, halfedge -> `bool`, likewise
+/// \tparam TMesh a `T_mesh_view`, which the constructor finds for any model of `TMesh` whose graph is one of
+///         `MutableFaceGraph`
 /// \tparam Visitor a model of `TMeshVisitor`; it is copied
 /// \tparam VertexIsConstrainedMap a readable map, vertex -> `bool`: vertices that are treated as extraordinary ones
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename Visitor = T_mesh_visitor,
-          typename VertexIsConstrainedMap =
-              CGAL::Static_boolean_property_map<typename boost::graph_traits<TMesh>::vertex_descriptor, false>>
+template <typename TMesh, typename Visitor = T_mesh_visitor,
+          typename VertexIsConstrainedMap = CGAL::Static_boolean_property_map<typename TMesh::vertex_descriptor, false>>
 class T_mesh_editor {
-  using Traits = boost::graph_traits<TMesh>;
-
 public:
-  using Coordinates = T_mesh_coordinates<TMesh, HalfedgeKnotMap, HalfedgeCornerMap>;
-  using FT = typename Coordinates::FT;
-  using vertex_descriptor = typename Traits::vertex_descriptor;
-  using halfedge_descriptor = typename Traits::halfedge_descriptor;
-  using face_descriptor = typename Traits::face_descriptor;
-  using Edit = T_mesh_edit<TMesh>;
-  using Overlap = T_mesh_overlap<TMesh, FT>;
+  using Graph = typename TMesh::Graph;
+  using Coordinates = T_mesh_coordinates<Const_T_mesh_view_of<TMesh>>;
+  using FT = typename TMesh::FT;
+  using vertex_descriptor = typename TMesh::vertex_descriptor;
+  using halfedge_descriptor = typename TMesh::halfedge_descriptor;
+  using face_descriptor = typename TMesh::face_descriptor;
+  using Edit = T_mesh_edit<Graph>;
+  using Overlap = T_mesh_overlap<Graph, FT>;
 
   /// \pre the knots are admissible
-  T_mesh_editor(TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                const Visitor& visitor = Visitor(),
-                const VertexIsConstrainedMap vertex_is_constrained = VertexIsConstrainedMap())
-    : m_surgery(t_mesh, knots, corners, visitor),
+  explicit T_mesh_editor(const TMesh& t_mesh, const Visitor& visitor = Visitor(),
+                         const VertexIsConstrainedMap vertex_is_constrained = VertexIsConstrainedMap())
+    : m_surgery(t_mesh, visitor),
       m_t_mesh(t_mesh),
-      m_knots(knots),
-      m_corners(corners),
+      m_graph(t_mesh.graph()),
       m_vertex_is_constrained(vertex_is_constrained)
   {
   }
@@ -68,16 +63,16 @@ public:
   /// returns whether operations must leave `v` where it is, with all its edges: it is extraordinary or constrained.
   bool is_fixed(const vertex_descriptor v) const
   {
-    return get(m_vertex_is_constrained, v) || is_extraordinary(v, m_t_mesh, m_corners);
+    return get(m_vertex_is_constrained, v) || is_extraordinary(v, m_t_mesh);
   }
 
   /// inserts a vertex into the edge of `h`, at the distance `x` from the source of `h` in the units of its face.
   /// \return the halfedge that ends at the new vertex, or OUTSIDE, NO_FACE
   Edit insert_vertex(const halfedge_descriptor h, const FT& x)
   {
-    if (face(h, m_t_mesh) == Traits::null_face())
+    if (face(h, m_graph) == boost::graph_traits<Graph>::null_face())
       return {T_mesh_edit_status::NO_FACE};
-    if (!is_inside(x, get(m_knots, h)))
+    if (!is_inside(x, m_t_mesh.knot(h)))
       return {T_mesh_edit_status::OUTSIDE};
     return done(m_surgery.split_edge(h, x));
   }
@@ -86,7 +81,7 @@ public:
   /// \return `h`, which reaches to the end of the other edge then; or FIXED_VERTEX, NOT_REMOVABLE
   Edit remove_vertex(const halfedge_descriptor h)
   {
-    if (is_fixed(target(h, m_t_mesh)))
+    if (is_fixed(target(h, m_graph)))
       return {T_mesh_edit_status::FIXED_VERTEX};
     if (!m_surgery.has_two_edges(h))
       return {T_mesh_edit_status::NOT_REMOVABLE};
@@ -112,13 +107,13 @@ public:
     halfedge_descriptor from = halfedge_to(coordinates().first_of_side(a), x, eps);
     // The bottom may be glued to the top, so that each vertex inserted into one appears in the other.
     const halfedge_descriptor b_first = coordinates().first_of_side(b);
-    const vertex_descriptor foot = target(from, m_t_mesh);
+    const vertex_descriptor foot = target(from, m_graph);
     const halfedge_descriptor to = halfedge_to(b_first, FT(coordinates().side_length(b_first) - x), eps);
-    if (target(from, m_t_mesh) != foot)
-      from = next(from, m_t_mesh);
-    CGAL_assertion(target(from, m_t_mesh) == foot);
+    if (target(from, m_graph) != foot)
+      from = next(from, m_graph);
+    CGAL_assertion(target(from, m_graph) == foot);
     const halfedge_descriptor n = m_surgery.cut_face(from, to, length);
-    CGAL_assertion(is_admissible_at(n) && is_admissible_at(opposite(n, m_t_mesh)));
+    CGAL_assertion(is_admissible_at(n) && is_admissible_at(opposite(n, m_graph)));
     return done(n);
   }
 
@@ -126,14 +121,14 @@ public:
   /// \return the halfedge of the new edge in the part with the smaller coordinates, or NO_FACE, NO_T_JOINT, OUTSIDE
   Edit extend(const halfedge_descriptor h)
   {
-    if (face(h, m_t_mesh) == Traits::null_face())
+    if (face(h, m_graph) == boost::graph_traits<Graph>::null_face())
       return {T_mesh_edit_status::NO_FACE};
-    if (get(m_corners, h))
+    if (m_t_mesh.is_corner(h))
       return {T_mesh_edit_status::NO_T_JOINT};
     const int side = coordinates().side(h);
     const FT distance = m_surgery.distance_of_target(h);
     const FT x = side < 2 ? distance : FT(coordinates().side_length(h) - distance);
-    return split_face(face(h, m_t_mesh), side % 2, x);
+    return split_face(face(h, m_graph), side % 2, x);
   }
 
   /// returns how the two faces of `h` touch along the edge of `h`: the maximal chain of edges that contains it.
@@ -142,14 +137,14 @@ public:
   {
     Overlap result;
     result.first = result.last = h;
-    while (!get(m_corners, prev(result.first, m_t_mesh)) && goes_on(prev(result.first, m_t_mesh)))
-      result.first = prev(result.first, m_t_mesh);
-    while (!get(m_corners, result.last) && goes_on(result.last))
-      result.last = next(result.last, m_t_mesh);
-    const halfedge_descriptor o = opposite(result.last, m_t_mesh);
+    while (!m_t_mesh.is_corner(prev(result.first, m_graph)) && goes_on(prev(result.first, m_graph)))
+      result.first = prev(result.first, m_graph);
+    while (!m_t_mesh.is_corner(result.last) && goes_on(result.last))
+      result.last = next(result.last, m_graph);
+    const halfedge_descriptor o = opposite(result.last, m_graph);
     result.begin = coordinates().place(result.first).begin;
     result.end = m_surgery.distance_of_target(result.last);
-    result.scale = FT(get(m_knots, h)) / FT(get(m_knots, opposite(h, m_t_mesh)));
+    result.scale = FT(m_t_mesh.knot(h)) / FT(m_t_mesh.knot(opposite(h, m_graph)));
     result.opposite_begin = coordinates().place(o).begin;
     result.side_length = coordinates().side_length(h);
     result.opposite_side_length = coordinates().side_length(o);
@@ -163,8 +158,9 @@ public:
     if (status != T_mesh_edit_status::DONE)
       return status;
     const Overlap o = overlap(h);
-    if (!(get(m_corners, prev(o.first, m_t_mesh)) && get(m_corners, o.last) &&
-          get(m_corners, opposite(o.first, m_t_mesh)) && get(m_corners, prev(opposite(o.last, m_t_mesh), m_t_mesh))))
+    if (!(m_t_mesh.is_corner(prev(o.first, m_graph)) && m_t_mesh.is_corner(o.last) &&
+          m_t_mesh.is_corner(opposite(o.first, m_graph)) &&
+          m_t_mesh.is_corner(prev(opposite(o.last, m_graph), m_graph))))
       return T_mesh_edit_status::NOT_A_FULL_SIDE;
     return can_remove(o, true, true);
   }
@@ -216,13 +212,13 @@ public:
     if (status != T_mesh_edit_status::DONE)
       return {status};
 
-    const halfedge_descriptor before = at_first ? prev(o.first, m_t_mesh) : halfedge_to(o.first, from, eps);
-    const halfedge_descriptor last = at_last ? o.last : halfedge_to(next(before, m_t_mesh), FT(to - from), eps);
-    const halfedge_descriptor first = next(before, m_t_mesh);
+    const halfedge_descriptor before = at_first ? prev(o.first, m_graph) : halfedge_to(o.first, from, eps);
+    const halfedge_descriptor last = at_last ? o.last : halfedge_to(next(before, m_graph), FT(to - from), eps);
+    const halfedge_descriptor first = next(before, m_graph);
     extend_if_straight(before);
-    extend_if_straight(opposite(first, m_t_mesh));
+    extend_if_straight(opposite(first, m_graph));
     extend_if_straight(last);
-    extend_if_straight(prev(opposite(last, m_t_mesh), m_t_mesh));
+    extend_if_straight(prev(opposite(last, m_graph), m_graph));
     return merge(first, last);
   }
 
@@ -234,11 +230,11 @@ public:
   /// \return `h`, or NO_FACE, FIXED_VERTEX, NO_FREE_LINE, LINE_MEETS_ITSELF, OUTSIDE
   Edit shift(const halfedge_descriptor h, const FT& delta)
   {
-    internal::Line_shift<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Visitor> line(m_surgery);
+    internal::Line_shift<TMesh, Visitor> line(m_surgery);
     const T_mesh_edit_status status = line.shift(h, delta, [this](const vertex_descriptor v) { return is_fixed(v); });
     if (status != T_mesh_edit_status::DONE)
       return {status};
-    CGAL_assertion(is_admissible_at(h) && is_admissible_at(opposite(h, m_t_mesh)));
+    CGAL_assertion(is_admissible_at(h) && is_admissible_at(opposite(h, m_graph)));
     return done(h);
   }
 
@@ -263,27 +259,27 @@ private:
   // inserted there if there is none.
   halfedge_descriptor halfedge_to(halfedge_descriptor h, FT x, const FT& eps)
   {
-    while (!get(m_corners, h) && x > FT(get(m_knots, h)) + eps) {
-      x -= get(m_knots, h);
-      h = next(h, m_t_mesh);
+    while (!m_t_mesh.is_corner(h) && x > FT(m_t_mesh.knot(h)) + eps) {
+      x -= m_t_mesh.knot(h);
+      h = next(h, m_graph);
     }
-    if (!get(m_corners, h) && x >= FT(get(m_knots, h)) - eps)
+    if (!m_t_mesh.is_corner(h) && x >= FT(m_t_mesh.knot(h)) - eps)
       return h;
-    CGAL_assertion(FT(0) < x && x < FT(get(m_knots, h)));
+    CGAL_assertion(FT(0) < x && x < FT(m_t_mesh.knot(h)));
     return m_surgery.split_edge(h, x);
   }
 
   // Whether the chain between the two faces of h goes on at the target of h, where the face of h goes straight on.
   bool goes_on(const halfedge_descriptor h) const
   {
-    const halfedge_descriptor p = prev(opposite(h, m_t_mesh), m_t_mesh);
-    return p == opposite(next(h, m_t_mesh), m_t_mesh) && !get(m_corners, p);
+    const halfedge_descriptor p = prev(opposite(h, m_graph), m_graph);
+    return p == opposite(next(h, m_graph), m_graph) && !m_t_mesh.is_corner(p);
   }
 
   T_mesh_edit_status have_two_faces(const halfedge_descriptor h) const
   {
-    const face_descriptor f = face(h, m_t_mesh), g = face(opposite(h, m_t_mesh), m_t_mesh);
-    if (f == Traits::null_face() || g == Traits::null_face())
+    const face_descriptor f = face(h, m_graph), g = face(opposite(h, m_graph), m_graph);
+    if (f == boost::graph_traits<Graph>::null_face() || g == boost::graph_traits<Graph>::null_face())
       return T_mesh_edit_status::NO_FACE;
     return f == g ? T_mesh_edit_status::SAME_FACE : T_mesh_edit_status::DONE;
   }
@@ -291,11 +287,11 @@ private:
   // Whether no vertex that is removed or loses an edge is fixed.
   T_mesh_edit_status can_remove(const Overlap& o, const bool at_first, const bool at_last) const
   {
-    if ((at_first && is_fixed(target(opposite(o.first, m_t_mesh), m_t_mesh))) ||
-        (at_last && is_fixed(target(o.last, m_t_mesh))))
+    if ((at_first && is_fixed(target(opposite(o.first, m_graph), m_graph))) ||
+        (at_last && is_fixed(target(o.last, m_graph))))
       return T_mesh_edit_status::FIXED_VERTEX;
-    for (halfedge_descriptor h = o.first; h != o.last; h = next(h, m_t_mesh)) {
-      if (is_fixed(target(h, m_t_mesh)))
+    for (halfedge_descriptor h = o.first; h != o.last; h = next(h, m_graph)) {
+      if (is_fixed(target(h, m_graph)))
         return T_mesh_edit_status::FIXED_VERTEX;
     }
     return T_mesh_edit_status::DONE;
@@ -307,17 +303,17 @@ private:
     const auto is_far = [&](const bool is_corner, const FT& distance) { return is_corner || distance > eps; };
     const FT opposite_end = o.opposite_begin + FT(o.end - o.begin) / o.scale;
     const bool first_is_far =
-        is_far(get(m_corners, prev(o.first, m_t_mesh)), o.begin) &&
-        is_far(get(m_corners, opposite(o.first, m_t_mesh)), FT(o.scale * FT(o.opposite_side_length - opposite_end)));
+        is_far(m_t_mesh.is_corner(prev(o.first, m_graph)), o.begin) &&
+        is_far(m_t_mesh.is_corner(opposite(o.first, m_graph)), FT(o.scale * FT(o.opposite_side_length - opposite_end)));
     const bool last_is_far =
-        is_far(get(m_corners, o.last), FT(o.side_length - o.end)) &&
-        is_far(get(m_corners, prev(opposite(o.last, m_t_mesh), m_t_mesh)), FT(o.scale * o.opposite_begin));
+        is_far(m_t_mesh.is_corner(o.last), FT(o.side_length - o.end)) &&
+        is_far(m_t_mesh.is_corner(prev(opposite(o.last, m_graph), m_graph)), FT(o.scale * o.opposite_begin));
     return (!at_first || first_is_far) && (!at_last || last_is_far);
   }
 
   void extend_if_straight(const halfedge_descriptor h)
   {
-    if (get(m_corners, h))
+    if (m_t_mesh.is_corner(h))
       return;
     const Edit edit = extend(h);
     CGAL_assertion(bool(edit));
@@ -326,12 +322,12 @@ private:
 
   Edit merge(const halfedge_descriptor first, const halfedge_descriptor last)
   {
-    while (!get(m_corners, first)) {
+    while (!m_t_mesh.is_corner(first)) {
       CGAL_assertion(first != last);
       m_surgery.join_edges(first);
     }
     CGAL_USE(last);
-    const halfedge_descriptor h = halfedge(m_surgery.merge_faces(first), m_t_mesh);
+    const halfedge_descriptor h = halfedge(m_surgery.merge_faces(first), m_graph);
     CGAL_assertion(is_admissible_at(h));
     return done(h);
   }
@@ -339,21 +335,30 @@ private:
   // Whether the face of h and the vertices on its boundary fulfil their conditions.
   bool is_admissible_at(const halfedge_descriptor h) const
   {
-    const internal::Admissibility_check<TMesh, HalfedgeKnotMap, HalfedgeCornerMap> check(m_t_mesh, m_knots, m_corners,
-                                                                                         1e-6);
-    Admissibility_report<TMesh> report;
-    bool result = face(h, m_t_mesh) == Traits::null_face() || check.check_face(face(h, m_t_mesh), report);
-    for (const halfedge_descriptor i : CGAL::halfedges_around_face(h, m_t_mesh))
-      result = result && check.check_vertex(target(i, m_t_mesh), report);
+    const internal::Admissibility_check check(m_t_mesh, 1e-6);
+    Admissibility_report<Graph> report;
+    bool result =
+        face(h, m_graph) == boost::graph_traits<Graph>::null_face() || check.check_face(face(h, m_graph), report);
+    for (const halfedge_descriptor i : CGAL::halfedges_around_face(h, m_graph))
+      result = result && check.check_vertex(target(i, m_graph), report);
     return result;
   }
 
-  internal::T_mesh_surgery<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Visitor> m_surgery;
-  TMesh& m_t_mesh;
-  HalfedgeKnotMap m_knots;
-  HalfedgeCornerMap m_corners;
+  internal::T_mesh_surgery<TMesh, Visitor> m_surgery;
+  TMesh m_t_mesh;
+  Graph& m_graph;
   VertexIsConstrainedMap m_vertex_is_constrained;
 };
+
+template <typename TMesh>
+T_mesh_editor(TMesh&&) -> T_mesh_editor<T_mesh_view_of<TMesh>>;
+
+template <typename TMesh, typename Visitor>
+T_mesh_editor(TMesh&&, const Visitor&) -> T_mesh_editor<T_mesh_view_of<TMesh>, Visitor>;
+
+template <typename TMesh, typename Visitor, typename VertexIsConstrainedMap>
+T_mesh_editor(TMesh&&, const Visitor&, VertexIsConstrainedMap)
+    -> T_mesh_editor<T_mesh_view_of<TMesh>, Visitor, VertexIsConstrainedMap>;
 
 } // namespace T_splines
 } // namespace CGAL

@@ -15,9 +15,9 @@ namespace T_splines {
 ///
 /// The frame of a face has its origin where the side of its `halfedge()` begins; u runs along that side, v to its left;
 /// the face is [0, width] x [0, height] in units of its knot intervals.
-template <typename TMesh, typename FT>
+template <typename Graph, typename FT>
 struct T_mesh_place {
-  typename boost::graph_traits<TMesh>::face_descriptor face = boost::graph_traits<TMesh>::null_face();
+  typename boost::graph_traits<Graph>::face_descriptor face = boost::graph_traits<Graph>::null_face();
   FT u = FT(0), v = FT(0);
 };
 

@@ -11,7 +11,6 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <memory>
 #include <utility>
@@ -25,27 +24,27 @@ namespace T_splines {
 ///
 /// A model of `TMeshVisitor`: give it to the operations, and afterwards to `place_T_mesh()`. Copies share their state.
 /// \tparam TriangleMesh the mapped mesh
-/// \tparam TMesh a model of `FaceListGraph` and `HalfedgeGraph`
+/// \tparam Graph a model of `FaceListGraph` and `HalfedgeGraph`
 /// \tparam FT the number type of the map
-template <typename TriangleMesh, typename TMesh, typename FT>
+template <typename TriangleMesh, typename Graph, typename FT>
 class T_mesh_roots : public T_mesh_visitor {
-  using face_descriptor = typename boost::graph_traits<TMesh>::face_descriptor;
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
 
 public:
   struct Root {
-    T_mesh_place<TMesh, FT> place;
+    T_mesh_place<Graph, FT> place;
     T_mesh_anchor<TriangleMesh, FT> anchor; ///< its triangle's closure contains the place
   };
 
   /// \param anchors face -> `T_mesh_anchor<TriangleMesh, FT>`, as `trace_motorcycle_graph()` gives them
   template <typename FaceAnchorMap>
-  T_mesh_roots(const TMesh& t_mesh, const FaceAnchorMap anchors) : m_roots(std::make_shared<std::vector<Root>>())
+  T_mesh_roots(const Graph& graph, const FaceAnchorMap anchors) : m_roots(std::make_shared<std::vector<Root>>())
   {
     std::vector<face_descriptor> stack;
-    const auto is_reached = get(CGAL::dynamic_face_property_t<bool>(), t_mesh);
-    for (const face_descriptor f : CGAL::make_range(faces(t_mesh)))
+    const auto is_reached = get(CGAL::dynamic_face_property_t<bool>(), graph);
+    for (const face_descriptor f : CGAL::make_range(faces(graph)))
       put(is_reached, f, false);
-    for (const face_descriptor first : CGAL::make_range(faces(t_mesh))) {
+    for (const face_descriptor first : CGAL::make_range(faces(graph))) {
       if (get(is_reached, first))
         continue;
       m_roots->push_back({{first, FT(0), FT(0)}, get(anchors, first)});
@@ -54,9 +53,9 @@ public:
       while (!stack.empty()) {
         const face_descriptor f = stack.back();
         stack.pop_back();
-        for (const auto h : CGAL::halfedges_around_face(halfedge(f, t_mesh), t_mesh)) {
-          const face_descriptor g = face(opposite(h, t_mesh), t_mesh);
-          if (g == boost::graph_traits<TMesh>::null_face() || get(is_reached, g))
+        for (const auto h : CGAL::halfedges_around_face(halfedge(f, graph), graph)) {
+          const face_descriptor g = face(opposite(h, graph), graph);
+          if (g == boost::graph_traits<Graph>::null_face() || get(is_reached, g))
             continue;
           put(is_reached, g, true);
           stack.push_back(g);
@@ -69,10 +68,10 @@ public:
 
   /// takes the points to the new faces.
   template <typename KnotFT>
-  void faces_replaced(const std::vector<T_mesh_piece<TMesh, KnotFT>>& pieces) const
+  void faces_replaced(const std::vector<T_mesh_piece<Graph, KnotFT>>& pieces) const
   {
     for (Root& root : *m_roots)
-      for (const T_mesh_piece<TMesh, KnotFT>& piece : pieces) {
+      for (const T_mesh_piece<Graph, KnotFT>& piece : pieces) {
         if (piece.from != root.place.face)
           continue;
         const Similarity_2<FT> transition(piece.transition.quarter_turns(), FT(piece.transition.scale()),

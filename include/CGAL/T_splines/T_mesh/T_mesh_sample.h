@@ -10,14 +10,14 @@ namespace CGAL {
 namespace T_splines {
 
 /// A point of a surface, its place in a T-mesh, and the area that it stands for.
-/// \tparam TMesh a model of `FaceGraph`
+/// \tparam Graph a model of `FaceGraph`
 /// \tparam Kernel a model of CGAL's `Kernel` whose `FT` is a floating point type
-template <typename TMesh, typename Kernel>
+template <typename Graph, typename Kernel>
 struct T_mesh_sample {
   using FT = typename Kernel::FT;
   using Point_3 = typename Kernel::Point_3;
 
-  T_mesh_place<TMesh, FT> place;
+  T_mesh_place<Graph, FT> place;
   Point_3 point;
   FT weight = FT(0); ///< in the units of the points, squared
 };

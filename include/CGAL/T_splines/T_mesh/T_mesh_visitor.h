@@ -18,12 +18,12 @@ namespace T_splines {
 ///
 /// `from` may be a face that is about to be removed. A point of `from` belongs to the first piece with that `from`
 /// whose image lies in the rectangle of `to`.
-/// \tparam TMesh a model of `FaceGraph`
+/// \tparam Graph a model of `FaceGraph`
 /// \tparam FT_ the number type of the knots
-template <typename TMesh, typename FT_>
+template <typename Graph, typename FT_>
 struct T_mesh_piece {
   using FT = FT_;
-  using face_descriptor = typename boost::graph_traits<TMesh>::face_descriptor;
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
 
   face_descriptor from, to;
   Similarity_2<FT> transition;
@@ -64,8 +64,8 @@ struct T_mesh_visitor {
   }
 
   /// is called after the lines of the T-mesh changed, with all old faces whose frame or extent is another.
-  template <typename TMesh, typename FT>
-  void faces_replaced(const std::vector<T_mesh_piece<TMesh, FT>>& /*pieces*/) const
+  template <typename Graph, typename FT>
+  void faces_replaced(const std::vector<T_mesh_piece<Graph, FT>>& /*pieces*/) const
   {
   }
 };
@@ -111,8 +111,8 @@ public:
     m_second.edge_removed(h);
   }
 
-  template <typename TMesh, typename FT>
-  void faces_replaced(const std::vector<T_mesh_piece<TMesh, FT>>& pieces) const
+  template <typename Graph, typename FT>
+  void faces_replaced(const std::vector<T_mesh_piece<Graph, FT>>& pieces) const
   {
     m_first.faces_replaced(pieces);
     m_second.faces_replaced(pieces);

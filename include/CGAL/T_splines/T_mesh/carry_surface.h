@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/T_mesh/Carried_surface.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/internal/Chart_points.h>
 #include <CGAL/T_splines/T_mesh/internal/Face_triangles.h>
 
@@ -24,27 +25,25 @@ namespace CGAL {
 namespace T_splines {
 
 /// finds the triangles that the faces of a motorcycle graph cover, and where they lie in the frames of the faces.
-/// \tparam TMesh a model of `FaceListGraph`
-/// \tparam HalfedgeKnotMap, HalfedgeCornerMap readable maps, halfedge of the T-mesh -> number, and -> `bool`
+/// \tparam TMesh a model of `TMesh` whose graph is one of `FaceListGraph`
 /// \tparam FaceAnchorMap a readable map, face of the T-mesh -> `T_mesh_anchor<TriangleMesh, FT>`
 /// \param map the map on which the T-mesh was traced
-/// \param t_mesh, knots, corners, anchors what `trace_motorcycle_graph()` made of it
+/// \param t_mesh, anchors what `trace_motorcycle_graph()` made of it
 /// \param np optional named parameters:
 ///   `CGAL::parameters::vertex_point_map`: points of the mapped mesh (default: its internal map)
 /// \return the surface; its points and triangles are the vertices and faces of the mapped mesh, in their order.
 /// \pre neither the T-mesh nor its anchors have changed since it was traced
 /// Complexity: linear in the size of the mesh and in the number of times that faces meet triangles; quadratic in how
 /// often one face meets one triangle.
-template <typename TriangleMesh, typename FT, typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
-          typename FaceAnchorMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Carried_surface<TMesh> carry_surface(const Seamless_map<TriangleMesh, FT>& map, const TMesh& t_mesh,
-                                     const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                                     const FaceAnchorMap anchors,
-                                     const NamedParameters& np = CGAL::parameters::default_values())
+template <typename TriangleMesh, typename FT, typename TMesh, typename FaceAnchorMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Carried_surface<T_mesh_graph<TMesh>> carry_surface(const Seamless_map<TriangleMesh, FT>& map, const TMesh& t_mesh,
+                                                   const FaceAnchorMap anchors,
+                                                   const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using Surface = Carried_surface<TMesh>;
+  using Surface = Carried_surface<T_mesh_graph<TMesh>>;
   const auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, map.mesh()));
   const auto& mesh = map.layout().mesh();
@@ -56,10 +55,10 @@ Carried_surface<TMesh> carry_surface(const Seamless_map<TriangleMesh, FT>& map, 
     surface.add_triangle({static_cast<std::size_t>(mesh.target(h)), static_cast<std::size_t>(mesh.target(g)),
                           static_cast<std::size_t>(mesh.target(mesh.next(g)))});
   }
-  const T_mesh_coordinates<TMesh, HalfedgeKnotMap, HalfedgeCornerMap> coordinates(t_mesh, knots, corners);
+  const T_mesh_coordinates coordinates(t_mesh);
   internal::Face_triangles<FT> triangles(map.layout());
   std::vector<typename Surface::face_descriptor> faces_in_order;
-  for (const auto f : CGAL::make_range(faces(t_mesh))) {
+  for (const auto f : CGAL::make_range(faces(t_mesh.graph()))) {
     faces_in_order.push_back(f);
     const auto& anchor = get(anchors, f);
     triangles.add_face(map.indexing().face_index(anchor.triangle), anchor.to_face,

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_T_MESH_GRADE_T_MESH_H
 
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/internal/Split_position.h>
 
@@ -25,24 +26,26 @@ namespace T_splines {
 namespace internal {
 
 // Splits faces that are too large for one of their neighbours.
-template <typename Editor, typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap>
+// \tparam TMesh a `T_mesh_view` of a `const` graph
+template <typename Editor, typename TMesh>
 class T_mesh_grading {
-  using Traits = boost::graph_traits<TMesh>;
+  using Graph = typename TMesh::Graph;
+  using Traits = boost::graph_traits<Graph>;
   using face_descriptor = typename Editor::face_descriptor;
   using halfedge_descriptor = typename Editor::halfedge_descriptor;
 
 public:
-  T_mesh_grading(Editor& editor, const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners)
+  T_mesh_grading(Editor& editor, const TMesh& t_mesh)
     : m_editor(editor),
       m_t_mesh(t_mesh),
-      m_knots(knots),
-      m_split_position(t_mesh, knots, corners)
+      m_graph(t_mesh.graph()),
+      m_split_position(t_mesh)
   {
   }
 
   std::size_t run(const double ratio)
   {
-    const auto range = faces(m_t_mesh);
+    const auto range = faces(m_graph);
     std::vector<face_descriptor> stack(range.begin(), range.end());
     std::size_t splits = 0;
     while (!stack.empty()) {
@@ -55,11 +58,11 @@ public:
       CGAL_assertion(bool(edit));
       ++splits;
       // The parts, and all that are larger beside them now.
-      for (const halfedge_descriptor n : {edit.halfedge, opposite(edit.halfedge, m_t_mesh)}) {
-        stack.push_back(face(n, m_t_mesh));
-        for (const halfedge_descriptor h : CGAL::halfedges_around_face(n, m_t_mesh))
-          if (face(opposite(h, m_t_mesh), m_t_mesh) != Traits::null_face())
-            stack.push_back(face(opposite(h, m_t_mesh), m_t_mesh));
+      for (const halfedge_descriptor n : {edit.halfedge, opposite(edit.halfedge, m_graph)}) {
+        stack.push_back(face(n, m_graph));
+        for (const halfedge_descriptor h : CGAL::halfedges_around_face(n, m_graph))
+          if (face(opposite(h, m_graph), m_graph) != Traits::null_face())
+            stack.push_back(face(opposite(h, m_graph), m_graph));
       }
     }
     return splits;
@@ -75,21 +78,21 @@ private:
   bool is_too_large(const face_descriptor f, const double ratio) const
   {
     const double size = longer_side(f);
-    for (const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_t_mesh), m_t_mesh)) {
-      const halfedge_descriptor o = opposite(h, m_t_mesh);
-      if (face(o, m_t_mesh) == Traits::null_face())
+    for (const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_graph), m_graph)) {
+      const halfedge_descriptor o = opposite(h, m_graph);
+      if (face(o, m_graph) == Traits::null_face())
         continue;
-      const double unit = CGAL::to_double(get(m_knots, h)) / CGAL::to_double(get(m_knots, o));
-      if (size > ratio * longer_side(face(o, m_t_mesh)) * unit)
+      const double unit = CGAL::to_double(m_t_mesh.knot(h)) / CGAL::to_double(m_t_mesh.knot(o));
+      if (size > ratio * longer_side(face(o, m_graph)) * unit)
         return true;
     }
     return false;
   }
 
   Editor& m_editor;
-  const TMesh& m_t_mesh;
-  HalfedgeKnotMap m_knots;
-  Split_position<TMesh, HalfedgeKnotMap, HalfedgeCornerMap> m_split_position;
+  TMesh m_t_mesh;
+  const Graph& m_graph;
+  Split_position<TMesh> m_split_position;
 };
 
 } // namespace internal
@@ -100,28 +103,22 @@ private:
 /// Where a small face lies beside a large one, a T-spline surface has no basis functions of the sizes between. Faces
 /// are split across their longer side, as `refine_T_mesh()` splits them. No new face is smaller than the smallest one
 /// beside it, so that it ends.
-/// \tparam TMesh a model of `MutableFaceGraph` and `FaceListGraph`; it may be non-simple
-/// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_mesh_editor`
+/// \tparam TMesh a model of `TMesh` whose graph is one of `MutableFaceGraph` and `FaceListGraph`
 /// \pre the knots are admissible
 /// \param ratio at least 3
 /// \param np named parameters: `visitor`, a model of `TMeshVisitor`
 /// \return the number of splits. Complexity: linear in the size of the T-mesh and the number of splits, times the
 /// number of halfedges of a face.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-std::size_t grade_T_mesh(TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                         const double ratio, const NamedParameters& np = CGAL::parameters::default_values())
+template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+std::size_t grade_T_mesh(TMesh&& t_mesh, const double ratio,
+                         const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using Visitor = typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::visitor_t, NamedParameters,
-                                                                     T_mesh_visitor>::type;
-  using Editor = T_mesh_editor<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Visitor>;
   CGAL_precondition_msg(ratio >= 3, "the ratio must be at least 3: a split leaves a third of a side");
-  Editor editor(t_mesh, knots, corners,
-                choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor()));
-  return internal::T_mesh_grading<Editor, TMesh, HalfedgeKnotMap, HalfedgeCornerMap>(editor, t_mesh, knots, corners)
-      .run(ratio);
+  T_mesh_editor editor(t_mesh, choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor()));
+  using Grading = internal::T_mesh_grading<decltype(editor), Const_T_mesh_view_of<TMesh>>;
+  return Grading(editor, t_mesh).run(ratio);
 }
 
 } // namespace T_splines

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_T_MESH_IS_ADMISSIBLE_H
 
 #include <CGAL/T_splines/T_mesh/Admissibility_report.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/internal/exactness.h>
 #include <CGAL/T_splines/named_parameters.h>
 
@@ -13,7 +14,6 @@
 #include <CGAL/number_type_basic.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -23,36 +23,36 @@ namespace T_splines {
 namespace internal {
 
 // Checks faces and vertices of a T-mesh one by one; each check writes the first defect into a report.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap>
+// \tparam TMesh a `T_mesh_view`
+template <typename TMesh>
 class Admissibility_check {
-  using Traits = boost::graph_traits<TMesh>;
-  using vertex_descriptor = typename Traits::vertex_descriptor;
-  using halfedge_descriptor = typename Traits::halfedge_descriptor;
-  using face_descriptor = typename Traits::face_descriptor;
-  using FT = typename boost::property_traits<HalfedgeKnotMap>::value_type;
-  using Report = Admissibility_report<TMesh>;
+  using Graph = typename TMesh::Graph;
+  using Traits = boost::graph_traits<Graph>;
+  using vertex_descriptor = typename TMesh::vertex_descriptor;
+  using halfedge_descriptor = typename TMesh::halfedge_descriptor;
+  using face_descriptor = typename TMesh::face_descriptor;
+  using FT = typename TMesh::FT;
+  using Report = Admissibility_report<Graph>;
 
 public:
-  Admissibility_check(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                      const double relative_tolerance)
+  Admissibility_check(const TMesh& t_mesh, const double relative_tolerance)
     : m_t_mesh(t_mesh),
-      m_knots(knots),
-      m_corners(corners),
+      m_graph(t_mesh.graph()),
       m_tolerance(is_exact_number_type<FT> ? 0. : relative_tolerance)
   {
   }
 
   bool check_face(const face_descriptor f, Report& report) const
   {
-    const halfedge_descriptor any = halfedge(f, m_t_mesh);
+    const halfedge_descriptor any = halfedge(f, m_graph);
     halfedge_descriptor start = Traits::null_halfedge();
     int number_of_corners = 0;
-    for (const halfedge_descriptor h : CGAL::halfedges_around_face(any, m_t_mesh)) {
+    for (const halfedge_descriptor h : CGAL::halfedges_around_face(any, m_graph)) {
       if (!check_knot(h, report))
         return false;
-      if (get(m_corners, h)) {
+      if (m_t_mesh.is_corner(h)) {
         ++number_of_corners;
-        start = next(h, m_t_mesh);
+        start = next(h, m_graph);
       }
     }
     if (number_of_corners == 4)
@@ -67,15 +67,15 @@ public:
   // pre: all knots are positive and finite
   bool check_vertex(const vertex_descriptor v, Report& report) const
   {
-    const halfedge_descriptor any = halfedge(v, m_t_mesh);
+    const halfedge_descriptor any = halfedge(v, m_graph);
     if (any == Traits::null_halfedge())
       return true;
     FT product(1);
-    for (const halfedge_descriptor h : CGAL::halfedges_around_target(any, m_t_mesh)) {
-      const halfedge_descriptor o = opposite(h, m_t_mesh);
-      if (face(h, m_t_mesh) == Traits::null_face() || face(o, m_t_mesh) == Traits::null_face())
+    for (const halfedge_descriptor h : CGAL::halfedges_around_target(any, m_graph)) {
+      const halfedge_descriptor o = opposite(h, m_graph);
+      if (face(h, m_graph) == Traits::null_face() || face(o, m_graph) == Traits::null_face())
         return true;
-      product *= FT(get(m_knots, h)) / FT(get(m_knots, o));
+      product *= FT(m_t_mesh.knot(h)) / FT(m_t_mesh.knot(o));
     }
     if (is_close(product, FT(1)))
       return true;
@@ -88,13 +88,13 @@ public:
 private:
   bool check_knot(const halfedge_descriptor h, Report& report) const
   {
-    const FT knot = get(m_knots, h);
+    const FT knot = m_t_mesh.knot(h);
     const bool is_finite = CGAL::is_finite(knot);
     if (is_finite && knot > FT(0))
       return true;
     report.status = is_finite ? Admissibility_status::NON_POSITIVE_KNOT : Admissibility_status::KNOT_NOT_FINITE;
     report.halfedge = h;
-    report.face = face(h, m_t_mesh);
+    report.face = face(h, m_graph);
     if (is_finite)
       report.defect = CGAL::to_double(knot);
     return false;
@@ -109,16 +109,16 @@ private:
       first[side] = h;
       bool is_last = false;
       while (!is_last) {
-        length[side] += get(m_knots, h);
-        is_last = get(m_corners, h);
-        h = next(h, m_t_mesh);
+        length[side] += m_t_mesh.knot(h);
+        is_last = m_t_mesh.is_corner(h);
+        h = next(h, m_graph);
       }
     }
     for (int side = 0; side < 2; ++side) {
       if (is_close(length[side], length[side + 2]))
         continue;
       report.status = Admissibility_status::OPPOSITE_SIDES_DIFFER;
-      report.face = face(start, m_t_mesh);
+      report.face = face(start, m_graph);
       report.halfedge = first[side];
       report.defect = CGAL::to_double(FT((length[side] - length[side + 2]) / length[side + 2]));
       return false;
@@ -134,9 +134,8 @@ private:
       return CGAL::abs(FT(a - b)) <= FT(m_tolerance) * (std::max)(a, b);
   }
 
-  const TMesh& m_t_mesh;
-  HalfedgeKnotMap m_knots;
-  HalfedgeCornerMap m_corners;
+  TMesh m_t_mesh;
+  const Graph& m_graph;
   double m_tolerance;
 };
 
@@ -147,33 +146,28 @@ private:
 /// Each interval must be positive and finite, each face must have four corners and opposite sides of equal length, and
 /// around each inner vertex, cones included, the product of the ratios k(h) / k(opposite(h)) must be 1. Exact number
 /// types are compared exactly, others to a relative tolerance.
-/// \tparam TMesh a model of `FaceListGraph` and `VertexListGraph`, with or without border; it may be non-simple
-/// \tparam HalfedgeKnotMap a readable map, halfedge -> a model of `Field` and `RealEmbeddable`: the knot interval of
-///         the halfedge in its face's units; not read at border halfedges
-/// \tparam HalfedgeCornerMap a readable map, halfedge -> `bool`: the halfedge's face turns at its target
-/// \param t_mesh, knots, corners the T-mesh
+/// \tparam TMesh a model of `TMesh` whose graph is one of `FaceListGraph` and `VertexListGraph`, with or without border; its
+///         knots are models of `Field` and `RealEmbeddable`
 /// \param np named parameters: `relative_tolerance`, a `double`, 1e-9 if not given and 0 for exact number types: the
 ///        relative difference of opposite sides, and of a product from 1, that counts as round-off
 /// \return the first defect, faces before vertices: the status, the element and how large the defect is. The report
 ///         converts to `true` if there is none.
 /// Complexity: linear.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Admissibility_report<TMesh> is_admissible(const TMesh& t_mesh, const HalfedgeKnotMap knots,
-                                          const HalfedgeCornerMap corners,
-                                          const NamedParameters& np = CGAL::parameters::default_values())
+template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Admissibility_report<T_mesh_graph<TMesh>> is_admissible(const TMesh& t_mesh,
+                                                        const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const double tolerance = choose_parameter(get_parameter(np, np_tags::relative_tolerance), 1e-9);
-  const internal::Admissibility_check<TMesh, HalfedgeKnotMap, HalfedgeCornerMap> check(t_mesh, knots, corners,
-                                                                                       tolerance);
-  Admissibility_report<TMesh> report;
-  for (const auto f : faces(t_mesh)) {
+  const Const_T_mesh_view_of<TMesh> view(t_mesh);
+  const internal::Admissibility_check check(view, tolerance);
+  Admissibility_report<T_mesh_graph<TMesh>> report;
+  for (const auto f : CGAL::make_range(faces(view.graph()))) {
     if (!check.check_face(f, report))
       return report;
   }
-  for (const auto v : vertices(t_mesh)) {
+  for (const auto v : CGAL::make_range(vertices(view.graph()))) {
     if (!check.check_vertex(v, report))
       return report;
   }

@@ -5,13 +5,12 @@
 #define CGAL_T_SPLINES_T_MESH_IS_SPLINE_COMPATIBLE_H
 
 #include <CGAL/T_splines/T_mesh/Spline_compatibility_report.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/internal/Spline_structure.h>
 #include <CGAL/T_splines/T_mesh/is_admissible.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 
 #include <CGAL/Named_function_parameters.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 
@@ -46,11 +45,11 @@ Spline_defect defect_before_supports(Spline_structure<KnotFT, FT>& structure)
 }
 
 // Checks admissibility; writes what is wrong.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename NamedParameters>
-bool is_known_admissible(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                         const NamedParameters& np, Spline_compatibility_report<TMesh>& report)
+template <typename TMesh, typename NamedParameters>
+bool is_known_admissible(const TMesh& t_mesh, const NamedParameters& np,
+                         Spline_compatibility_report<T_mesh_graph<TMesh>>& report)
 {
-  report.admissibility = is_admissible(t_mesh, knots, corners, np);
+  report.admissibility = is_admissible(t_mesh, np);
   if (report.admissibility)
     return true;
   report.status = Spline_compatibility_status::INADMISSIBLE;
@@ -76,26 +75,22 @@ bool is_known_admissible(const TMesh& t_mesh, const HalfedgeKnotMap knots, const
 ///
 /// Extraordinary vertices may have any extended valence. The border must be straight, or have right-angled corners
 /// outwards; between two borders there must be at least three intervals in each row.
-/// \tparam TMesh a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`, with or without border; it may
-///         be non-simple
-/// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `is_admissible()`
-/// \param t_mesh, knots, corners the T-mesh
+/// \tparam TMesh a model of `TMesh` whose graph is one of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`, with
+///         or without border
 /// \param np named parameters: `relative_tolerance`, as for `is_admissible()`
 /// \return the first defect: the status, which names the condition, and the elements. The report converts to `true` if
 ///         there is none. With exact knots all decisions are exact.
 /// Complexity: linear in the number of pairs of a vertex and a piece of its support, but for a logarithm.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Spline_compatibility_report<TMesh> is_spline_compatible(const TMesh& t_mesh, const HalfedgeKnotMap knots,
-                                                        const HalfedgeCornerMap corners,
-                                                        const NamedParameters& np = CGAL::parameters::default_values())
+template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Spline_compatibility_report<T_mesh_graph<TMesh>>
+is_spline_compatible(const TMesh& t_mesh, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using FT = typename boost::property_traits<HalfedgeKnotMap>::value_type;
-  Spline_compatibility_report<TMesh> report;
-  if (!internal::is_known_admissible(t_mesh, knots, corners, np, report))
+  using FT = typename TMesh::FT;
+  Spline_compatibility_report<T_mesh_graph<TMesh>> report;
+  if (!internal::is_known_admissible(t_mesh, np, report))
     return report;
-  const internal::Mesh_indexing<TMesh> indexing(t_mesh);
-  internal::Spline_structure<FT> structure(indexing, knots, corners);
+  const internal::Mesh_indexing<T_mesh_graph<TMesh>> indexing(t_mesh.graph());
+  internal::Spline_structure<FT> structure(indexing, Const_T_mesh_view_of<TMesh>(t_mesh));
   internal::Spline_defect defect = internal::defect_before_supports(structure);
   if (!defect)
     defect = structure.find_supports([&](int, const internal::Basis_support<FT>& support) {

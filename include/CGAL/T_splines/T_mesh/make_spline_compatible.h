@@ -4,6 +4,7 @@
 #ifndef CGAL_T_SPLINES_T_MESH_MAKE_SPLINE_COMPATIBLE_H
 #define CGAL_T_SPLINES_T_MESH_MAKE_SPLINE_COMPATIBLE_H
 
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/internal/Counted_splits.h>
 #include <CGAL/T_splines/T_mesh/internal/Spline_compatibility_repair.h>
@@ -12,11 +13,9 @@
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
-
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -24,9 +23,9 @@ namespace T_splines {
 
 /// What `make_spline_compatible()` did. If it did not succeed, `status` tells what is still wrong; the numbers are
 /// always set but for INADMISSIBLE, and `vertices_in_rings` only upon success.
-/// \tparam TMesh a model of `FaceGraph`
-template <typename TMesh>
-struct Spline_refinement_report : Spline_compatibility_report<TMesh> {
+/// \tparam Graph a model of `FaceGraph`
+template <typename Graph>
+struct Spline_refinement_report : Spline_compatibility_report<Graph> {
   std::size_t vertices_before = 0, vertices_after = 0;
   std::size_t faces_before = 0, faces_after = 0;
   std::size_t extraordinary_vertices = 0;
@@ -56,15 +55,15 @@ std::size_t number_of_vertices_in_rings(const Spline_structure<FT>& structure)
 }
 
 // Fills in the numbers before; false if refinement cannot help.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename NamedParameters>
-bool is_repairable(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                   const NamedParameters& np, Spline_refinement_report<TMesh>& report)
+template <typename TMesh, typename NamedParameters>
+bool is_repairable(const TMesh& t_mesh, const NamedParameters& np,
+                   Spline_refinement_report<typename TMesh::Graph>& report)
 {
-  Spline_compatibility_report<TMesh>& result = report;
-  if (!is_known_admissible(t_mesh, knots, corners, np, result))
+  Spline_compatibility_report<typename TMesh::Graph>& result = report;
+  if (!is_known_admissible(t_mesh, np, result))
     return false;
-  const Mesh_indexing<TMesh> indexing(t_mesh);
-  const Spline_structure<double> structure(indexing, knots, corners);
+  const Mesh_indexing<typename TMesh::Graph> indexing(t_mesh.graph());
+  const Spline_structure<double> structure(indexing, t_mesh);
   result = described(structure.check_vertices(), indexing);
   report.extraordinary_vertices = structure.extraordinary_vertices().size();
   report.vertices_before = report.vertices_after = indexing.number_of_vertices();
@@ -72,12 +71,11 @@ bool is_repairable(const TMesh& t_mesh, const HalfedgeKnotMap knots, const Halfe
   return report.success();
 }
 
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap>
-void count_elements(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                    Spline_refinement_report<TMesh>& report)
+template <typename TMesh>
+void count_elements(const TMesh& t_mesh, Spline_refinement_report<typename TMesh::Graph>& report)
 {
-  const Mesh_indexing<TMesh> indexing(t_mesh);
-  Spline_structure<double> structure(indexing, knots, corners);
+  const Mesh_indexing<typename TMesh::Graph> indexing(t_mesh.graph());
+  Spline_structure<double> structure(indexing, t_mesh);
   report.vertices_after = indexing.number_of_vertices();
   report.faces_after = indexing.number_of_faces();
   report.extraordinary_vertices = structure.extraordinary_vertices().size();
@@ -100,10 +98,9 @@ void count_elements(const TMesh& t_mesh, const HalfedgeKnotMap knots, const Half
 ///
 /// Edges are only inserted, by `T_mesh_editor`, each through one face. It ends: why, and what bounds the number of
 /// splits, is told in `internal/Spline_compatibility_repair.h`. Lines are inserted at vertices of the faces, where there
-/// are any close by, or at short fractions of their sides, so that exact knots stay short. New vertices have no point and no weight: a visitor, or `place_T_mesh()` afterwards, gives them one.
-/// \tparam TMesh a model of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`; it may be non-simple
-/// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_mesh_editor`
-/// \param t_mesh, knots, corners the T-mesh
+/// are any close by, or at short fractions of their sides, so that exact knots stay short. New vertices have no point and
+/// no weight: a visitor, or `place_T_mesh()` afterwards, gives them one.
+/// \tparam TMesh a model of `TMesh` whose graph is one of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`
 /// \param np named parameters: `visitor`, a model of `TMeshVisitor`; `number_of_iterations`, a `std::size_t`, the
 ///        largest number of splits (1000 and 30 per face, which ends the work on T-meshes that spiral so tightly that C
 ///        would ask for ever smaller faces; others need about 10 per face); `relative_tolerance`, as for
@@ -112,34 +109,33 @@ void count_elements(const TMesh& t_mesh, const HalfedgeKnotMap knots, const Half
 ///         the status is INADMISSIBLE, UNSUPPORTED_BORDER_VERTEX or TOUCHING_BORDERS.
 /// Complexity: linear in the number of pairs of a vertex and a face of its support, for a few rounds; most of them look
 /// only at a few vertices.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Spline_refinement_report<TMesh> make_spline_compatible(TMesh& t_mesh, const HalfedgeKnotMap knots,
-                                                       const HalfedgeCornerMap corners,
-                                                       const NamedParameters& np = CGAL::parameters::default_values())
+template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Spline_refinement_report<T_mesh_graph<TMesh>>
+make_spline_compatible(TMesh&& t_mesh, const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using Visitor = typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::visitor_t, NamedParameters,
-                                                                     T_mesh_visitor>::type;
-  using Splits = internal::Counted_splits<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Visitor>;
-  Spline_refinement_report<TMesh> report;
-  if (!internal::is_repairable(t_mesh, knots, corners, np, report))
+  using Graph = T_mesh_graph<TMesh>;
+  using View = T_mesh_view_of<TMesh>;
+  const View view(t_mesh);
+  Spline_refinement_report<Graph> report;
+  if (!internal::is_repairable(view, np, report))
     return report;
   const std::size_t number_of_splits =
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 1000 + 30 * report.faces_before);
-  Splits splits(t_mesh, knots, corners,
-                choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor()), number_of_splits);
+  const auto visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor());
+  using Splits = internal::Counted_splits<View, std::decay_t<decltype(visitor)>>;
+  Splits splits(view, visitor, number_of_splits);
   internal::Spline_compatibility_repair<Splits> repair(splits);
   if (!repair.run()) {
-    static_cast<Spline_compatibility_report<TMesh>&>(report) = is_spline_compatible(t_mesh, knots, corners, np);
+    static_cast<Spline_compatibility_report<Graph>&>(report) = is_spline_compatible(view, np);
     report.is_limit_reached = !report.success() && splits.is_exhausted();
   }
   report.splits_for_rings = repair.counts().rings;
   report.splits_at_border = repair.counts().border;
   report.splits_of_reaching_supports = repair.counts().reaching_supports;
   report.splits_of_endless_supports = repair.counts().endless_supports;
-  internal::count_elements(t_mesh, knots, corners, report);
+  internal::count_elements(view, report);
   return report;
 }
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Similarity_map/Seamless_map.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_roots.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/Tracing_traits.h>
 #include <CGAL/T_splines/T_mesh/internal/Chart_points.h>
 #include <CGAL/T_splines/T_mesh/internal/T_mesh_placement.h>
@@ -17,6 +18,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -26,11 +28,10 @@ namespace T_splines {
 /// of its edges, which are isolines of the map.
 ///
 /// From the roots, it walks along all edges, by their lengths, in exact arithmetic if `FT` is exact.
-/// \tparam TMesh a model of `FaceListGraph` and `VertexListGraph`
-/// \tparam HalfedgeKnotMap a readable map, halfedge -> number, convertible to `FT`
-/// \tparam HalfedgeCornerMap a readable map, halfedge -> `bool`
+/// \tparam TMesh a model of `TMesh` whose graph is one of `FaceListGraph` and `VertexListGraph`; its knots are convertible
+///         to `FT`
 /// \param map the map on which the T-mesh was traced
-/// \param t_mesh, knots, corners what `trace_motorcycle_graph()` made of it and operations changed
+/// \param t_mesh what `trace_motorcycle_graph()` made of it and operations changed
 /// \param roots the visitor of these operations
 /// \param np optional named parameters:
 ///   `CGAL::parameters::vertex_point_map`: points of the mapped mesh (default: its internal map);
@@ -39,17 +40,17 @@ namespace T_splines {
 ///   `T_splines::parameters::edge_polyline_map`: as for `trace_motorcycle_graph()`
 /// \return whether the T-mesh fits: false if an edge leads over a cone or beyond a border; then not all is written.
 /// Complexity: linear in the number of triangles that the edges cross, and in the size of the mapped mesh.
-template <typename TriangleMesh, typename FT, typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
+template <typename TriangleMesh, typename FT, typename TMesh,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-bool place_T_mesh(const Seamless_map<TriangleMesh, FT>& map, TMesh& t_mesh, const HalfedgeKnotMap knots,
-                  const HalfedgeCornerMap corners, const T_mesh_roots<TriangleMesh, TMesh, FT>& roots,
+bool place_T_mesh(const Seamless_map<TriangleMesh, FT>& map, TMesh&& t_mesh,
+                  const T_mesh_roots<TriangleMesh, T_mesh_graph<TMesh>, FT>& roots,
                   const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const auto traits = choose_parameter(get_parameter(np, np_tags::tracing_traits), Default_tracing_traits<FT>());
   const auto point_map = choose_parameter(get_parameter(np, np_tags::output_vertex_point_map),
-                                          get_property_map(CGAL::vertex_point, t_mesh));
+                                          get_property_map(CGAL::vertex_point, t_mesh.graph()));
   const auto polyline_map = get_parameter(np, np_tags::edge_polyline_map);
   using Point_map = std::decay_t<decltype(point_map)>;
   using Point_3 = typename boost::property_traits<Point_map>::value_type;
@@ -67,9 +68,8 @@ bool place_T_mesh(const Seamless_map<TriangleMesh, FT>& map, TMesh& t_mesh, cons
   const std::vector<Point> points = internal::points_in_doubles(
       map.indexing(), choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                        get_const_property_map(CGAL::vertex_point, map.mesh())));
-  internal::T_mesh_placement<TriangleMesh, FT, TMesh, HalfedgeKnotMap, HalfedgeCornerMap,
-                             std::decay_t<decltype(traits)>>
-      placement(map, points, t_mesh, knots, corners, traits);
+  internal::T_mesh_placement<TriangleMesh, FT, Const_T_mesh_view_of<TMesh>, std::decay_t<decltype(traits)>> placement(
+      map, points, t_mesh, traits);
   for (const auto& root : roots.roots())
     if (!placement.place(root, found_vertex, found_edge))
       return false;

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_T_MESH_REFINE_T_MESH_H
 
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/internal/Split_position.h>
 #include <CGAL/T_splines/named_parameters.h>
@@ -48,12 +49,12 @@ inline const char* message(const T_mesh_refinement_status status)
 }
 
 /// What `refine_T_mesh()` did. Members that `status` does not mention have no meaning.
-/// \tparam TMesh a model of `FaceGraph`
-template <typename TMesh>
+/// \tparam Graph a model of `FaceGraph`
+template <typename Graph>
 struct T_mesh_refinement_report {
   T_mesh_refinement_status status = T_mesh_refinement_status::REFINED;
   std::size_t splits = 0; ///< each adds one face; always set
-  typename boost::graph_traits<TMesh>::face_descriptor face = boost::graph_traits<TMesh>::null_face();
+  typename boost::graph_traits<Graph>::face_descriptor face = boost::graph_traits<Graph>::null_face();
 
   bool success() const { return status == T_mesh_refinement_status::REFINED; }
 };
@@ -61,8 +62,10 @@ struct T_mesh_refinement_report {
 namespace internal {
 
 // Splits faces at their longer side, largest first.
-template <typename Editor, typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename FaceSize>
+// \tparam TMesh a `T_mesh_view` of a `const` graph
+template <typename Editor, typename TMesh, typename FaceSize>
 class T_mesh_refinement {
+  using Graph = typename TMesh::Graph;
   using face_descriptor = typename Editor::face_descriptor;
 
   struct Entry {
@@ -78,19 +81,18 @@ class T_mesh_refinement {
   };
 
 public:
-  T_mesh_refinement(Editor& editor, const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                    const FaceSize& face_size)
+  T_mesh_refinement(Editor& editor, const TMesh& t_mesh, const FaceSize& face_size)
     : m_editor(editor),
-      m_t_mesh(t_mesh),
-      m_split_position(t_mesh, knots, corners),
+      m_graph(t_mesh.graph()),
+      m_split_position(t_mesh),
       m_face_size(face_size)
   {
   }
 
-  T_mesh_refinement_report<TMesh> run(const double target, const std::size_t number_of_splits)
+  T_mesh_refinement_report<Graph> run(const double target, const std::size_t number_of_splits)
   {
-    T_mesh_refinement_report<TMesh> report;
-    for (const face_descriptor f : faces(m_t_mesh))
+    T_mesh_refinement_report<Graph> report;
+    for (const face_descriptor f : faces(m_graph))
       push(f, target, report);
     while (!m_queue.empty()) {
       const Entry entry = m_queue.top();
@@ -103,14 +105,14 @@ public:
       const auto edit = m_editor.split_face(entry.f, entry.axis, m_split_position(entry.f, entry.axis));
       CGAL_assertion(bool(edit));
       ++report.splits;
-      push(face(edit.halfedge, m_t_mesh), target, report);
-      push(face(opposite(edit.halfedge, m_t_mesh), m_t_mesh), target, report);
+      push(face(edit.halfedge, m_graph), target, report);
+      push(face(opposite(edit.halfedge, m_graph), m_graph), target, report);
     }
     return report;
   }
 
 private:
-  void push(const face_descriptor f, const double target, T_mesh_refinement_report<TMesh>& report)
+  void push(const face_descriptor f, const double target, T_mesh_refinement_report<Graph>& report)
   {
     const std::pair<double, double> size = m_face_size(f);
     if (!std::isfinite(size.first) || !std::isfinite(size.second)) {
@@ -124,8 +126,8 @@ private:
   }
 
   Editor& m_editor;
-  const TMesh& m_t_mesh;
-  Split_position<TMesh, HalfedgeKnotMap, HalfedgeCornerMap> m_split_position;
+  const Graph& m_graph;
+  Split_position<TMesh> m_split_position;
   const FaceSize& m_face_size;
   std::priority_queue<Entry> m_queue;
   std::size_t m_number = 0;
@@ -140,8 +142,7 @@ private:
 ///
 /// It ends if the size of a face tends to zero with its extent in the parameter domain: each split leaves a face at
 /// most two thirds of an extent. This holds for `Parametric_face_size` and `Surface_face_size`.
-/// \tparam TMesh a model of `MutableFaceGraph` and `FaceListGraph`; it may be non-simple
-/// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_mesh_editor`
+/// \tparam TMesh a model of `TMesh` whose graph is one of `MutableFaceGraph` and `FaceListGraph`
 /// \tparam FaceSize a model of `TMeshFaceSize`; it is not copied, so that it may follow the changes
 /// \pre the knots are admissible
 /// \param face_size gives the lengths of a face along u and along v, in any unit: `Parametric_face_size`,
@@ -151,29 +152,23 @@ private:
 ///        `number_of_iterations`, a `std::size_t`, the largest number of splits (no bound)
 /// \return how it ended
 /// Complexity: O(log n) for each split, plus the number of halfedges of the face, plus its size.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename FaceSize,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-T_mesh_refinement_report<TMesh>
-refine_T_mesh(TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners, const FaceSize& face_size,
-              const double target_size, const NamedParameters& np = CGAL::parameters::default_values())
+template <typename TMesh, typename FaceSize, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+T_mesh_refinement_report<T_mesh_graph<TMesh>>
+refine_T_mesh(TMesh&& t_mesh, const FaceSize& face_size, const double target_size,
+              const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using Visitor = typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::visitor_t, NamedParameters,
-                                                                     T_mesh_visitor>::type;
-  using Editor = T_mesh_editor<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Visitor>;
   if (!(target_size > 0)) {
-    T_mesh_refinement_report<TMesh> report;
+    T_mesh_refinement_report<T_mesh_graph<TMesh>> report;
     report.status = T_mesh_refinement_status::INVALID_TARGET;
     return report;
   }
   const std::size_t number_of_splits = choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
                                                         (std::numeric_limits<std::size_t>::max)());
-  Editor editor(t_mesh, knots, corners,
-                choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor()));
-  internal::T_mesh_refinement<Editor, TMesh, HalfedgeKnotMap, HalfedgeCornerMap, FaceSize> refinement(
-      editor, t_mesh, knots, corners, face_size);
-  return refinement.run(target_size, number_of_splits);
+  T_mesh_editor editor(t_mesh, choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor()));
+  using Refinement = internal::T_mesh_refinement<decltype(editor), Const_T_mesh_view_of<TMesh>, FaceSize>;
+  return Refinement(editor, t_mesh, face_size).run(target_size, number_of_splits);
 }
 
 } // namespace T_splines

@@ -4,6 +4,7 @@
 #ifndef CGAL_T_SPLINES_T_MESH_REGULARIZE_T_MESH_H
 #define CGAL_T_SPLINES_T_MESH_REGULARIZE_T_MESH_H
 
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/internal/T_mesh_regularization.h>
 #include <CGAL/T_splines/named_parameters.h>
@@ -11,11 +12,10 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -34,12 +34,12 @@ struct T_mesh_regularization_report {
 
 namespace internal {
 
-template <typename TMesh, typename Regularization>
-void aspect_statistics(const TMesh& t_mesh, const Regularization& regularization, std::size_t& number, double& worst,
+template <typename Graph, typename Regularization>
+void aspect_statistics(const Graph& graph, const Regularization& regularization, std::size_t& number, double& worst,
                        double& median)
 {
   std::vector<double> aspects;
-  for (const auto f : faces(t_mesh))
+  for (const auto f : CGAL::make_range(faces(graph)))
     aspects.push_back(regularization.aspect(f));
   number = aspects.size();
   if (aspects.empty())
@@ -63,8 +63,7 @@ void aspect_statistics(const TMesh& t_mesh, const Regularization& regularization
 /// Afterwards, where two lines end at opposite sides of a third one, and the gap between them is less than a sixteenth
 /// of a face beside it, one of them is shortened, if no face becomes worse than the worst one, or than 1:5: aspect
 /// ratios do not see such gaps, but the knots of a T-spline surface would be as close.
-/// \tparam TMesh a model of `MutableFaceGraph` and `FaceListGraph`; it may be non-simple
-/// \tparam HalfedgeKnotMap, HalfedgeCornerMap as for `T_mesh_editor`
+/// \tparam TMesh a model of `TMesh` whose graph is one of `MutableFaceGraph` and `FaceListGraph`
 /// \pre the knots are admissible
 /// \param np named parameters: `visitor`, a model of `TMeshVisitor`; `vertex_is_constrained_map`, vertices that are
 ///        treated as extraordinary ones; `number_of_iterations`, a `std::size_t`, the largest number of operations (no
@@ -72,35 +71,31 @@ void aspect_statistics(const TMesh& t_mesh, const Regularization& regularization
 /// \return how many operations were done, and aspect ratios before and after
 /// Complexity: O(log n) for each operation, plus the number of halfedges of the faces that it touches and of their
 /// neighbours; quadratic in the number of T-joints of a single face.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-T_mesh_regularization_report regularize_T_mesh(TMesh& t_mesh, const HalfedgeKnotMap knots,
-                                               const HalfedgeCornerMap corners,
+template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+T_mesh_regularization_report regularize_T_mesh(TMesh&& t_mesh,
                                                const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using Not_constrained =
-      CGAL::Static_boolean_property_map<typename boost::graph_traits<TMesh>::vertex_descriptor, false>;
-  using Constraint_map = typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::vertex_is_constrained_t,
-                                                                            NamedParameters, Not_constrained>::type;
-  using Visitor = typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::visitor_t, NamedParameters,
-                                                                     T_mesh_visitor>::type;
+  using View = T_mesh_view_of<TMesh>;
   const std::size_t number_of_operations = choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
                                                             (std::numeric_limits<std::size_t>::max)());
-  internal::T_mesh_regularization<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Visitor, Constraint_map> regularization(
-      t_mesh, knots, corners, choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor()),
-      choose_parameter(get_parameter(np, CGAL::internal_np::vertex_is_constrained), Not_constrained()));
-
+  const auto visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor());
+  const auto constrained =
+      choose_parameter(get_parameter(np, CGAL::internal_np::vertex_is_constrained),
+                       CGAL::Static_boolean_property_map<typename View::vertex_descriptor, false>());
+  const View view(t_mesh);
+  internal::T_mesh_regularization<View, std::decay_t<decltype(visitor)>, std::decay_t<decltype(constrained)>>
+      regularization(view, visitor, constrained);
   T_mesh_regularization_report report;
-  internal::aspect_statistics(t_mesh, regularization, report.faces_before, report.worst_aspect_before,
+  internal::aspect_statistics(view.graph(), regularization, report.faces_before, report.worst_aspect_before,
                               report.median_aspect_before);
   const auto counts = regularization.run(number_of_operations);
   report.removals = counts.removals;
   report.flips = counts.flips;
   report.partial_removals = counts.partial_removals;
   report.closed_gaps = counts.closed_gaps;
-  internal::aspect_statistics(t_mesh, regularization, report.faces_after, report.worst_aspect_after,
+  internal::aspect_statistics(view.graph(), regularization, report.faces_after, report.worst_aspect_after,
                               report.median_aspect_after);
   return report;
 }

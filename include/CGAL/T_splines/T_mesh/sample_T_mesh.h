@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_sample.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/internal/Chart_points.h>
 #include <CGAL/T_splines/T_mesh/internal/Face_triangles.h>
 #include <CGAL/T_splines/T_mesh/internal/Triangle_samples.h>
@@ -42,18 +43,18 @@ namespace T_splines {
 namespace internal {
 
 /// The samples of the triangles of a mesh.
-template <typename FT, typename TMesh>
+template <typename FT, typename Graph>
 class T_mesh_sampling {
-  using Face = typename boost::graph_traits<TMesh>::face_descriptor;
-  using Face_index_map = typename boost::property_map<TMesh, CGAL::dynamic_face_property_t<int>>::const_type;
+  using Face = typename boost::graph_traits<Graph>::face_descriptor;
+  using Face_index_map = typename boost::property_map<Graph, CGAL::dynamic_face_property_t<int>>::const_type;
   using Point = std::array<double, 3>;
 
 public:
   /// \param points of the vertices of the map's mesh
-  T_mesh_sampling(const Seamless_layout<FT>& layout, const std::vector<Point>& points, const TMesh& t_mesh)
+  T_mesh_sampling(const Seamless_layout<FT>& layout, const std::vector<Point>& points, const Graph& graph)
     : m_mesh(layout.mesh()),
       m_points(points),
-      m_face_index(get(CGAL::dynamic_face_property_t<int>(), t_mesh)),
+      m_face_index(get(CGAL::dynamic_face_property_t<int>(), graph)),
       m_triangles(layout)
   {
   }
@@ -63,7 +64,7 @@ public:
   void place_faces(const Mesh_indexing<TriangleMesh>& indexing, const Coordinates& coordinates,
                    const FaceAnchorMap anchors)
   {
-    for (const Face f : CGAL::make_range(faces(coordinates.t_mesh()))) {
+    for (const Face f : CGAL::make_range(faces(coordinates.t_mesh().graph()))) {
       put(m_face_index, f, static_cast<int>(m_faces.size()));
       m_faces.push_back(f);
       m_sizes.push_back({{CGAL::to_double(coordinates.width(f)), CGAL::to_double(coordinates.height(f))}});
@@ -95,7 +96,7 @@ public:
 
   /// A place in the closed rectangle of its face, in numbers of another type.
   template <typename NT, typename Place>
-  T_mesh_place<TMesh, NT> clamped(const Place& place) const
+  T_mesh_place<Graph, NT> clamped(const Place& place) const
   {
     const std::array<double, 2>& size = m_sizes[get(m_face_index, place.face)];
     return {place.face, NT(std::clamp(CGAL::to_double(place.u), 0., size[0])),
@@ -181,13 +182,12 @@ private:
 /// triangle shares its area equally among its corners and the points inside of it; so the weights add up to the area of
 /// the surface. Each place is in the closed rectangle of its face. The same input gives the same samples.
 ///
-/// \tparam TMesh a model of `FaceListGraph`
-/// \tparam HalfedgeKnotMap, HalfedgeCornerMap readable maps, halfedge of the T-mesh -> number, and -> `bool`
+/// \tparam TMesh a model of `TMesh` whose graph is one of `FaceListGraph`
 /// \tparam FaceAnchorMap a readable map, face of the T-mesh -> `T_mesh_anchor<TriangleMesh, FT>`
-/// \tparam VertexPlaceMap a readable map, vertex of the mapped mesh -> `T_mesh_place<TMesh, NT>`
-/// \tparam OutputIterator takes `T_mesh_sample<TMesh, Kernel>`, with the kernel of the points of the mapped mesh
+/// \tparam VertexPlaceMap a readable map, vertex of the mapped mesh -> `T_mesh_place<Graph, NT>`
+/// \tparam OutputIterator takes `T_mesh_sample<Graph, Kernel>`, with the kernel of the points of the mapped mesh
 /// \param map the map on which the T-mesh was traced
-/// \param t_mesh, knots, corners, anchors, vertex_places what `trace_motorcycle_graph()` made of it
+/// \param t_mesh, anchors, vertex_places what `trace_motorcycle_graph()` made of it
 /// \param out where the samples are written to
 /// \param np optional named parameters:
 ///   `CGAL::parameters::vertex_point_map`: points of the mapped mesh (default: its internal map);
@@ -198,12 +198,10 @@ private:
 /// \pre neither the T-mesh nor its anchors have changed since it was traced
 /// Complexity: linear in the size of the meshes, and, summed over all triangles, in the number of times that faces
 /// meet the triangle, times the number of its points; quadratic in how often one face meets one triangle.
-template <typename TriangleMesh, typename FT, typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
-          typename FaceAnchorMap, typename VertexPlaceMap, typename OutputIterator,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+template <typename TriangleMesh, typename FT, typename TMesh, typename FaceAnchorMap, typename VertexPlaceMap,
+          typename OutputIterator, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 OutputIterator sample_T_mesh(const Seamless_map<TriangleMesh, FT>& map, const TMesh& t_mesh,
-                             const HalfedgeKnotMap knots, const HalfedgeCornerMap corners, const FaceAnchorMap anchors,
-                             const VertexPlaceMap vertex_places, OutputIterator out,
+                             const FaceAnchorMap anchors, const VertexPlaceMap vertex_places, OutputIterator out,
                              const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
@@ -211,16 +209,15 @@ OutputIterator sample_T_mesh(const Seamless_map<TriangleMesh, FT>& map, const TM
   const auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, map.mesh()));
   using Point_3 = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
-  using Sample = T_mesh_sample<TMesh, typename CGAL::Kernel_traits<Point_3>::Kernel>;
+  using Sample = T_mesh_sample<T_mesh_graph<TMesh>, typename CGAL::Kernel_traits<Point_3>::Kernel>;
   const auto& indexing = map.indexing();
   const std::size_t number_of_samples =
       choose_parameter(get_parameter(np, np_tags::number_of_samples),
                        (std::max)(std::size_t(20000), static_cast<std::size_t>(indexing.number_of_vertices())));
   CGAL_precondition_msg(number_of_samples > 0, "number_of_samples must be positive");
   const std::vector<std::array<double, 3>> points = internal::points_in_doubles(indexing, point_map);
-  internal::T_mesh_sampling<FT, TMesh> sampling(map.layout(), points, t_mesh);
-  sampling.place_faces(indexing, T_mesh_coordinates<TMesh, HalfedgeKnotMap, HalfedgeCornerMap>(t_mesh, knots, corners),
-                       anchors);
+  internal::T_mesh_sampling<FT, T_mesh_graph<TMesh>> sampling(map.layout(), points, t_mesh.graph());
+  sampling.place_faces(indexing, T_mesh_coordinates(t_mesh), anchors);
   std::vector<Sample> inner;
   sampling.sample_triangles(number_of_samples, inner);
   for (int v = 0; v < indexing.number_of_vertices(); ++v) {

@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/Similarity_map/Seamless_map.h>
 #include <CGAL/T_splines/T_mesh/Motorcycle_graph_report.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/Tracing_traits.h>
 #include <CGAL/T_splines/T_mesh/internal/Cell_places.h>
 #include <CGAL/T_splines/T_mesh/internal/Chart_points.h>
@@ -32,23 +33,23 @@ namespace T_splines {
 namespace internal {
 
 /// Writes what the caller asked for.
-template <typename TriangleMesh, typename FT, typename TracingTraits, typename TMesh, typename NamedParameters>
+template <typename TriangleMesh, typename FT, typename TracingTraits, typename Graph, typename NamedParameters>
 void write_motorcycle_graph_details(const Seamless_map<TriangleMesh, FT>& map,
                                     const Motorcycle_tracer<FT, TracingTraits>& tracer,
                                     const Trace_arcs<FT, TracingTraits>& arcs,
                                     const Motorcycle_cells<FT, TracingTraits>& cells, const TracingTraits& traits,
                                     const std::vector<std::array<double, 3>>& points,
-                                    const Motorcycle_graph_writer<FT, TracingTraits, TMesh>& writer, TMesh& t_mesh,
+                                    const Motorcycle_graph_writer<FT, TracingTraits, Graph>& writer, Graph& graph,
                                     const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const Trace_geometry<FT, TracingTraits> geometry(map.layout(), points, tracer.stars(), tracer.traces(), arcs, cells);
   writer.put_points(geometry, choose_parameter(get_parameter(np, np_tags::output_vertex_point_map),
-                                               get_property_map(CGAL::vertex_point, t_mesh)));
+                                               get_property_map(CGAL::vertex_point, graph)));
   const auto polylines = get_parameter(np, np_tags::edge_polyline_map);
   if constexpr (!is_missing<decltype(polylines)>)
-    writer.put_polylines(geometry, t_mesh, polylines);
+    writer.put_polylines(geometry, graph, polylines);
   const auto origins = get_parameter(np, np_tags::vertex_origin_map);
   if constexpr (!is_missing<decltype(origins)>)
     writer.put_origins(map.indexing(), tracer.stars(), origins);
@@ -75,15 +76,12 @@ void write_motorcycle_graph_details(const Seamless_map<TriangleMesh, FT>& map,
 ///
 /// \tparam TriangleMesh the model of `FaceListGraph` and `HalfedgeListGraph` of the map
 /// \tparam FT the number type of the map
-/// \tparam TMesh a model of `MutableFaceGraph`. The T-mesh may be non-simple: two edges may join the same two vertices,
-///   and a face may meet itself
-/// \tparam HalfedgeKnotMap a model of `WritablePropertyMap`, halfedge of the T-mesh -> number; `FT` for exact knots; a
+/// \tparam TMesh a model of `TMesh` whose graph is one of `MutableFaceGraph`. The T-mesh may be non-simple: two edges may
+///   join the same two vertices, and a face may meet itself. The number type of its knots is `FT` for exact knots, a
 ///   floating point type for rounded ones
-/// \tparam HalfedgeCornerMap a model of `WritablePropertyMap`, halfedge of the T-mesh -> bool
 /// \param map a map made by `make_exactly_seamless()`
-/// \param t_mesh the T-mesh; it is written only if the status is SUCCESS. \pre It is empty
-/// \param knots the interval of each halfedge in the units of its face; not written on border halfedges
-/// \param corners whether the face turns, by a right angle, at the target of the halfedge; not written on border halfedges
+/// \param t_mesh the T-mesh; it is written only if the status is SUCCESS, knots and corners not on border halfedges.
+///   \pre It is empty
 /// \param np optional named parameters:
 ///   `CGAL::parameters::vertex_point_map`: points of the mapped mesh (default: its internal map);
 ///   `CGAL::parameters::visitor`: a `Progress_visitor`;
@@ -92,18 +90,17 @@ void write_motorcycle_graph_details(const Seamless_map<TriangleMesh, FT>& map,
 ///   `T_splines::parameters::output_vertex_point_map`: points of the T-mesh on the surface (default: its internal map);
 ///   `T_splines::parameters::vertex_origin_map`: vertex of the T-mesh -> vertex of the mapped mesh that lies there, or
 ///     `null_vertex()`;
-///   `T_splines::parameters::vertex_place_map`: vertex of the mapped mesh -> `T_mesh_place<TMesh, NT>`; of several
+///   `T_splines::parameters::vertex_place_map`: vertex of the mapped mesh -> `T_mesh_place<Graph, NT>`; of several
 ///     faces one;
 ///   `T_splines::parameters::face_anchor_map`: face of the T-mesh -> `T_mesh_anchor<TriangleMesh, FT>`;
 ///   `T_splines::parameters::edge_polyline_map`: edge of the T-mesh -> sequence of points (`push_back()`), from the source to
-///     the target of `halfedge(e, t_mesh)`: its corners on the edges of the mesh.
+///     the target of `halfedge(e, t_mesh.graph())`: its corners on the edges of the mesh.
 /// \return what was done. With an exact map and exact traits the status is SUCCESS unless the map is empty or the
 /// visitor stopped the work. Complexity: linear in the size of the mesh and, if no triangle is crossed often, in the
 /// number of crossed triangles; quadratic in the number of crossings of a single triangle.
-template <typename TriangleMesh, typename FT, typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
+template <typename TriangleMesh, typename FT, typename TMesh,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Motorcycle_graph_report trace_motorcycle_graph(const Seamless_map<TriangleMesh, FT>& map, TMesh& t_mesh,
-                                               HalfedgeKnotMap knots, HalfedgeCornerMap corners,
+Motorcycle_graph_report trace_motorcycle_graph(const Seamless_map<TriangleMesh, FT>& map, TMesh&& t_mesh,
                                                const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
@@ -138,9 +135,10 @@ Motorcycle_graph_report trace_motorcycle_graph(const Seamless_map<TriangleMesh, 
   }
   for (int h = 0; h < cells.number_of_halfedges(); ++h)
     report.t_joints += !cells.is_border(h) && !cells.halfedge(h).is_corner ? 1 : 0;
-  const internal::Motorcycle_graph_writer<FT, Tracing_traits, TMesh> writer(cells, t_mesh);
-  writer.put_knots(knots, corners);
-  internal::write_motorcycle_graph_details(map, tracer, arcs, cells, traits, points, writer, t_mesh, np);
+  const T_mesh_view_of<TMesh> view(t_mesh);
+  const internal::Motorcycle_graph_writer<FT, Tracing_traits, T_mesh_graph<TMesh>> writer(cells, view.graph());
+  writer.put_knots(view);
+  internal::write_motorcycle_graph_details(map, tracer, arcs, cells, traits, points, writer, view.graph(), np);
   report.predicates = traits.statistics();
   return report;
 }

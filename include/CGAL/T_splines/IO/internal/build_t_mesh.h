@@ -14,24 +14,25 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// Builds the connectivity of a soup in a graph: vertices and faces in the order of the file, and `halfedge(f)` is
-/// the first halfedge of the face's list.
+/// Builds the T-mesh of a soup: vertices and faces in the order of the file, and `halfedge(f)` is the first halfedge of
+/// the face's list.
 ///
 /// A T-mesh may have two edges between the same vertices, or an edge that its face has on both sides: nothing is
 /// looked up by its vertices.
-/// \pre `check_t_mesh_soup()` found nothing; `graph` is empty.
-template <typename MutableFaceGraph>
+/// \tparam TMesh a `T_mesh_view`
+/// \pre `check_t_mesh_soup()` found nothing; the T-mesh is empty.
+template <typename TMesh>
 class T_mesh_builder {
-  using Writer = Face_graph_writer<MutableFaceGraph>;
+  using Writer = Face_graph_writer<typename TMesh::Graph>;
+  using halfedge_descriptor = typename Writer::halfedge_descriptor;
 
 public:
   using vertex_descriptor = typename Writer::vertex_descriptor;
-  using halfedge_descriptor = typename Writer::halfedge_descriptor;
 
-  T_mesh_builder(const T_mesh_soup& soup, MutableFaceGraph& graph)
+  T_mesh_builder(const T_mesh_soup& soup, const TMesh& t_mesh)
     : m_links(soup),
       m_number(paired_numbers(soup)),
-      m_writer(graph, static_cast<int>(soup.number_of_vertices()), number_of_edges(soup),
+      m_writer(t_mesh.graph(), static_cast<int>(soup.number_of_vertices()), number_of_edges(soup),
                static_cast<int>(soup.number_of_faces()))
   {
     for (std::size_t h = 0; h < soup.number_of_halfedges(); ++h)
@@ -42,15 +43,20 @@ public:
         join_border(h);
     for (std::size_t f = 0; f < soup.number_of_faces(); ++f)
       m_writer.set_halfedge_of_face(static_cast<int>(f), m_number[soup.first_halfedge[f]]);
+    for (std::size_t h = 0; h < soup.number_of_halfedges(); ++h) {
+      t_mesh.set_knot(halfedge_of(h), typename TMesh::FT(soup.knots[h]));
+      t_mesh.set_corner(halfedge_before(h), soup.is_corner[h] != 0);
+    }
   }
 
   vertex_descriptor vertex_of(const std::size_t v) const { return m_writer.vertex(static_cast<int>(v)); }
-  halfedge_descriptor halfedge_of(const std::size_t h) const { return m_writer.halfedge(m_number[h]); }
-
-  /// The halfedge before `h` (number) on its face: corners of the file stand at sources, those of the map at targets.
-  halfedge_descriptor halfedge_before(const std::size_t h) const { return halfedge_of(m_links.prev(h)); }
 
 private:
+  halfedge_descriptor halfedge_of(const std::size_t h) const { return m_writer.halfedge(m_number[h]); }
+
+  // The halfedge before `h` (number) on its face: corners of the file stand at sources, those of the map at targets.
+  halfedge_descriptor halfedge_before(const std::size_t h) const { return halfedge_of(m_links.prev(h)); }
+
   static bool is_first_of_edge(const T_mesh_soup& soup, const std::size_t h)
   {
     return soup.opposites[h] == T_mesh_soup::border || h < soup.opposites[h];

@@ -9,10 +9,10 @@
 #include <CGAL/T_splines/IO/internal/build_t_mesh.h>
 #include <CGAL/T_splines/IO/internal/check_t_mesh_soup.h>
 #include <CGAL/T_splines/T_mesh/Admissibility_report.h>
+#include <CGAL/T_splines/T_mesh/T_mesh.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/is_admissible.h>
 #include <CGAL/T_splines/named_parameters.h>
-
-#include <CGAL/Surface_mesh.h>
 
 #include <array>
 #include <cstddef>
@@ -40,17 +40,9 @@ inline T_mesh_reading_status reading_status(const Admissibility_status status)
 /// \pre `check_t_mesh_soup()` found nothing.
 inline T_mesh_reading_report check_t_mesh_knots(const T_mesh_soup& soup, const double relative_tolerance)
 {
-  using Graph = CGAL::Surface_mesh<std::array<double, 3>>;
-  Graph graph;
-  const T_mesh_builder<Graph> builder(soup, graph);
-  const auto knots = graph.add_property_map<Graph::Halfedge_index, double>("h:knot", 1.).first;
-  const auto corners = graph.add_property_map<Graph::Halfedge_index, bool>("h:is_corner", false).first;
-  for (std::size_t h = 0; h < soup.number_of_halfedges(); ++h) {
-    put(knots, builder.halfedge_of(h), soup.knots[h]);
-    put(corners, builder.halfedge_before(h), soup.is_corner[h] != 0);
-  }
-  const Admissibility_report<Graph> admissibility =
-      is_admissible(graph, knots, corners, parameters::relative_tolerance(relative_tolerance));
+  T_mesh<std::array<double, 3>> t_mesh;
+  T_mesh_builder(soup, T_mesh_view_of<decltype(t_mesh)>(t_mesh));
+  const auto admissibility = is_admissible(t_mesh, parameters::relative_tolerance(relative_tolerance));
   if (admissibility.success())
     return T_mesh_reading_report();
   const bool is_about_vertex = admissibility.status == Admissibility_status::CYCLE_CONDITION_VIOLATED;

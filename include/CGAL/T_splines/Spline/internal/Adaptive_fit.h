@@ -14,11 +14,12 @@
 #include <CGAL/T_splines/Spline/internal/Surface_fitter.h>
 #include <CGAL/T_splines/Spline/internal/Surface_walk.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
-#include <CGAL/T_splines/Spline/internal/Working_t_mesh.h>
 #include <CGAL/T_splines/Spline/measure_T_spline_deviation.h>
 #include <CGAL/T_splines/T_mesh/Carried_surface.h>
+#include <CGAL/T_splines/T_mesh/T_mesh.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/grade_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/internal/Face_ancestors.h>
@@ -35,7 +36,6 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -69,11 +69,11 @@ inline std::size_t default_limit(const std::size_t coarsest, const std::size_t n
 template <typename Kernel, typename SolverTraits, typename Visitor>
 class Adaptive_fit {
   using FT = typename Kernel::FT;
-  using Working = Working_t_mesh<Kernel>;
-  using Mesh = typename Working::Mesh;
-  using Face = typename Mesh::Face_index;
-  using Carried = Carried_surface<Mesh>;
-  using Fitter = Surface_fitter<Mesh, typename Working::Knot_map, typename Working::Corner_map, Kernel>;
+  using Working = T_mesh<typename Kernel::Point_3, FT>;
+  using Graph = typename Working::Graph;
+  using Face = typename Graph::Face_index;
+  using Carried = Carried_surface<Graph>;
+  using Fitter = Surface_fitter<Const_T_mesh_view_of<Working>, Kernel>;
   using Compiled = typename Fitter::Compiled;
   using Triangle_mesh = CGAL::Surface_mesh<typename Carried::Point_3>;
   using Status = Adaptive_fit_status;
@@ -90,25 +90,25 @@ public:
       m_triangles(surface.triangles()),
       m_walk(m_points, m_triangles),
       m_mesh(mesh_of(m_points, m_triangles)),
-      m_plain{t_mesh, surface, std::vector<double>(t_mesh.mesh.number_of_faces(), 1)}
+      m_plain{t_mesh, surface, std::vector<double>(t_mesh.graph().number_of_faces(), 1)}
   {
   }
 
-  /// \tparam TMesh what the report is about
-  template <typename TMesh>
-  void run(Adaptive_fit_report<TMesh>& report)
+  /// \tparam Given the graph that the report is about
+  template <typename Given>
+  void run(Adaptive_fit_report<Given>& report)
   {
     if (!make_compatible()) {
       report.status = Status::NOT_SPLINE_COMPATIBLE;
       return;
     }
-    const std::size_t coarsest = m_fine.t_mesh.mesh.number_of_vertices();
+    const std::size_t coarsest = m_fine.t_mesh.graph().number_of_vertices();
     m_limit = m_options.largest_number_of_control_points;
     if (m_limit == 0)
       m_limit = default_limit(coarsest, m_points.size());
     if (coarsest > m_limit) {
       report.status = Status::LIMIT_TOO_LOW;
-      report.levels.push_back({coarsest, m_fine.t_mesh.mesh.number_of_faces(), m_in_rings, 0, 0, {}});
+      report.levels.push_back({coarsest, m_fine.t_mesh.graph().number_of_faces(), m_in_rings, 0, 0, {}});
       return;
     }
     while (fit_level(report)) {
@@ -164,8 +164,8 @@ private:
   }
 
   // Refines, or says why not.
-  template <typename TMesh>
-  bool is_done(Adaptive_fit_report<TMesh>& report)
+  template <typename Given>
+  bool is_done(Adaptive_fit_report<Given>& report)
   {
     if (m_progress.best().is_within_tolerance())
       report.status = Status::WITHIN_TOLERANCE;
@@ -186,37 +186,35 @@ private:
   bool make_compatible()
   {
     m_fine = m_plain;
-    m_ancestors = Face_ancestors<Mesh>();
+    m_ancestors = Face_ancestors<Graph>();
     const T_mesh_visitor_pair visitor(m_fine.surface.visitor(), m_ancestors.visitor());
-    Working& t = m_fine.t_mesh;
-    const auto report =
-        CGAL::T_splines::make_spline_compatible(t.mesh, t.knots, t.corners, CGAL::parameters::visitor(visitor));
+    const auto report = CGAL::T_splines::make_spline_compatible(m_fine.t_mesh, CGAL::parameters::visitor(visitor));
     m_in_rings = report.vertices_in_rings;
-    m_fine.stiffness = inherited(m_plain.stiffness, m_ancestors, m_fine.t_mesh.mesh);
+    m_fine.stiffness = inherited(m_plain.stiffness, m_ancestors, m_fine.t_mesh.graph());
     return report.success();
   }
 
   // What the faces have of those that they were cut from.
-  static std::vector<double> inherited(const std::vector<double>& stiffness, const Face_ancestors<Mesh>& ancestors,
-                                       const Mesh& mesh)
+  static std::vector<double> inherited(const std::vector<double>& stiffness, const Face_ancestors<Graph>& ancestors,
+                                       const Graph& graph)
   {
     std::vector<double> result;
-    for (const Face f : mesh.faces())
+    for (const Face f : graph.faces())
       result.push_back(stiffness[ancestors(f)]);
     return result;
   }
 
-  template <typename TMesh>
-  bool fit_level(Adaptive_fit_report<TMesh>& report)
+  template <typename Given>
+  bool fit_level(Adaptive_fit_report<Given>& report)
   {
     constexpr double almost = 2;
     Working& t = m_fine.t_mesh;
-    Fitter fitter(t.mesh, t.knots, t.corners, m_fine.surface, m_walk, m_fine.stiffness);
+    Fitter fitter(t, m_fine.surface, m_walk, m_fine.stiffness);
     if (!fitter.fitted().surface().is_valid()) {
       report.status = Status::NOT_SPLINE_COMPATIBLE;
       return false;
     }
-    T_spline_fit_report<Mesh> fit;
+    T_spline_fit_report<Graph> fit;
     if (!fitter.fit(start(report), m_options.tolerance, m_options.fairness, m_options.number_of_corrections, m_solver,
                     m_visitor, fit)) {
       report.fit.status = fit.status;
@@ -225,8 +223,8 @@ private:
                                                                       : Status::FIT_FAILED;
       return false;
     }
-    for (const auto v : t.mesh.vertices())
-      t.mesh.point(v) = fitter.fitted().control_point(v);
+    for (const auto v : t.graph().vertices())
+      t.graph().point(v) = fitter.fitted().control_point(v);
     std::vector<Face_fit> faces = fitter.faces();
     m_last.emplace(compile_T_spline(fitter.fitted().surface()), m_fine.surface);
     if (are_within(faces))
@@ -238,16 +236,16 @@ private:
           std::count_if(faces.begin(), faces.end(), [&](const Face_fit& face) { return face.fold == fold; }));
     };
     report.number_of_samples = fit.number_of_samples;
-    report.levels.push_back({t.mesh.number_of_vertices(), t.mesh.number_of_faces(), m_in_rings,
+    report.levels.push_back({t.graph().number_of_vertices(), t.graph().number_of_faces(), m_in_rings,
                              number_of(Fold_state::FOLDED), number_of(Fold_state::DOUBTFUL), fit.error});
-    m_visitor.level_fitted(report.levels.back(), t.mesh, t.knots, t.corners, t.mesh.points());
+    m_visitor.level_fitted(report.levels.back(), t);
     plan(faces);
     return true;
   }
 
   // The surface of the last level, if it is near enough to begin with.
-  template <typename TMesh>
-  const typename Fitter::Start* start(const Adaptive_fit_report<TMesh>& report) const
+  template <typename Given>
+  const typename Fitter::Start* start(const Adaptive_fit_report<Given>& report) const
   {
     constexpr double near = 3; // by the tolerance
     return m_last && report.levels.back().error.maximum <= near * m_options.tolerance ? &*m_last : nullptr;
@@ -264,18 +262,18 @@ private:
   void stiffen(const std::vector<Face_fit>& faces)
   {
     constexpr double stiffer = 3;
-    const Mesh& mesh = m_plain.t_mesh.mesh;
-    std::vector<char> is_concerned(mesh.number_of_faces(), false);
-    for (const Face f : m_fine.t_mesh.mesh.faces()) {
+    const Graph& graph = m_plain.t_mesh.graph();
+    std::vector<char> is_concerned(graph.number_of_faces(), false);
+    for (const Face f : m_fine.t_mesh.graph().faces()) {
       if (faces[f].fold != Fold_state::FOLDED)
         continue;
       const Face folded = m_ancestors(f);
       is_concerned[folded] = true;
-      for (const auto h : mesh.halfedges_around_face(mesh.halfedge(folded)))
-        if (!mesh.is_border(mesh.opposite(h)))
-          is_concerned[mesh.face(mesh.opposite(h))] = true;
+      for (const auto h : graph.halfedges_around_face(graph.halfedge(folded)))
+        if (!graph.is_border(graph.opposite(h)))
+          is_concerned[graph.face(graph.opposite(h))] = true;
     }
-    for (const Face f : mesh.faces())
+    for (const Face f : graph.faces())
       m_plain.stiffness[f] *= is_concerned[f] ? stiffer : 1;
   }
 
@@ -292,7 +290,7 @@ private:
     Measured_surface<Compiled> measured(m_last->compiled());
     if (!measured.is_finite())
       return;
-    T_spline_deviation_report<Mesh, Triangle_mesh> report;
+    T_spline_deviation_report<Graph, Triangle_mesh> report;
     report.tolerance = m_options.tolerance;
     Deviation_measurement<Compiled, Triangle_mesh> measurement(*m_measured_mesh, m_reading, measured, report);
     measurement.measure_surface();
@@ -327,9 +325,9 @@ private:
   void plan(const std::vector<Face_fit>& faces)
   {
     constexpr double error_of_fold = 1.5, smallest_size = 0.1; // by the tolerance
-    std::vector<double> errors(m_plain.t_mesh.mesh.number_of_faces(), 0), areas(errors.size(), 0);
+    std::vector<double> errors(m_plain.t_mesh.graph().number_of_faces(), 0), areas(errors.size(), 0);
     m_area_to_mend = 0;
-    for (const Face f : m_fine.t_mesh.mesh.faces()) {
+    for (const Face f : m_fine.t_mesh.graph().faces()) {
       const Face_fit& face = faces[f];
       const double error =
           (std::max)(face.distance / m_options.tolerance, face.fold == Fold_state::FOLDED ? error_of_fold : 0.);
@@ -339,9 +337,9 @@ private:
       m_area_to_mend += error > 1 ? face.area : 0;
     }
     const Working& t = m_plain.t_mesh;
-    const T_mesh_coordinates coordinates(t.mesh, t.knots, t.corners);
+    const T_mesh_coordinates coordinates(t);
     m_plans.clear();
-    for (const Face f : t.mesh.faces()) {
+    for (const Face f : t.graph().faces()) {
       const double width = CGAL::to_double(coordinates.width(f)), height = CGAL::to_double(coordinates.height(f));
       const double longer_side = std::sqrt(areas[f] * (std::max)(width / height, height / width));
       if (errors[f] > 1 && longer_side > smallest_size * m_options.tolerance)
@@ -354,11 +352,11 @@ private:
   template <typename Editor, typename Position>
   void split(const Plan& plan, const bool is_in_four, Editor& editor, const Position& position)
   {
-    const Mesh& mesh = m_plain.t_mesh.mesh;
+    const Graph& graph = m_plain.t_mesh.graph();
     const auto edit = editor.split_face(plan.face, plan.longer_axis, position(plan.face, plan.longer_axis));
     if (!is_in_four)
       return;
-    const Face other = mesh.face(mesh.opposite(edit.halfedge)), one = mesh.face(edit.halfedge);
+    const Face other = graph.face(graph.opposite(edit.halfedge)), one = graph.face(edit.halfedge);
     for (const Face f : {one, other})
       editor.split_face(f, 1 - plan.longer_axis, position(f, 1 - plan.longer_axis));
   }
@@ -370,25 +368,25 @@ private:
   // with the largest errors.
   bool refine()
   {
-    const std::size_t before = m_fine.t_mesh.mesh.number_of_vertices();
+    const std::size_t before = m_fine.t_mesh.graph().number_of_vertices();
     // By the tolerance; and if few faces are left, what more control points cost is less than what more levels do.
     constexpr double large_error = 2, few = 0.03;
     const bool are_few =
-        static_cast<double>(m_plans.size()) < few * static_cast<double>(m_fine.t_mesh.mesh.number_of_faces());
+        static_cast<double>(m_plans.size()) < few * static_cast<double>(m_fine.t_mesh.graph().number_of_faces());
     const State plain = m_plain;
     std::size_t number = m_plans.size();
     while (number > 0) {
       Working& t = m_plain.t_mesh;
-      Face_ancestors<Mesh> ancestors;
+      Face_ancestors<Graph> ancestors;
       const T_mesh_visitor_pair visitor(m_plain.surface.visitor(), ancestors.visitor());
-      T_mesh_editor editor(t.mesh, t.knots, t.corners, visitor);
-      const Split_position position(t.mesh, t.knots, t.corners);
+      T_mesh_editor editor(t, visitor);
+      const Split_position position(t);
       for (std::size_t i = 0; i < number; ++i)
         split(m_plans[i], are_few || m_plans[i].error > large_error, editor, position);
-      grade_T_mesh(t.mesh, t.knots, t.corners, largest_ratio_of_neighbours, CGAL::parameters::visitor(visitor));
-      m_plain.stiffness = inherited(plain.stiffness, ancestors, t.mesh);
+      grade_T_mesh(t, largest_ratio_of_neighbours, CGAL::parameters::visitor(visitor));
+      m_plain.stiffness = inherited(plain.stiffness, ancestors, t.graph());
       const bool is_compatible = make_compatible();
-      const std::size_t after = m_fine.t_mesh.mesh.number_of_vertices();
+      const std::size_t after = m_fine.t_mesh.graph().number_of_vertices();
       if (is_compatible && after <= m_limit)
         return true;
       m_plain = plain;
@@ -411,7 +409,7 @@ private:
   std::optional<Measured_mesh> m_measured_mesh;
   std::optional<Mesh_intersections> m_mesh_intersections;
   State m_plain, m_fine; // without and with what makes it spline compatible
-  Face_ancestors<Mesh> m_ancestors;
+  Face_ancestors<Graph> m_ancestors;
   std::size_t m_in_rings = 0;
   std::optional<typename Fitter::Start> m_last; // the surface of the last level
   Fit_progress m_progress;

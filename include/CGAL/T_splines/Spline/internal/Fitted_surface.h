@@ -22,23 +22,24 @@ namespace internal {
 /// A T-spline surface whose control points are being found.
 ///
 /// They are relative to an origin near the surface, so that a model far from zero loses no digits.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename Kernel>
+/// \tparam TMesh a `T_mesh_view` of a `const` graph
+template <typename TMesh, typename Kernel>
 class Fitted_surface {
+  using Graph = typename TMesh::Graph;
   using Weighted_point_3 = typename Kernel::Weighted_point_3;
   using Control_points =
-      typename boost::property_map<TMesh, CGAL::dynamic_vertex_property_t<Weighted_point_3>>::const_type;
+      typename boost::property_map<Graph, CGAL::dynamic_vertex_property_t<Weighted_point_3>>::const_type;
 
 public:
   using FT = typename Kernel::FT;
   using Point_3 = typename Kernel::Point_3;
-  using Surface = T_spline_surface<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Control_points, Kernel>;
+  using Surface = T_spline_surface<TMesh, Control_points, Kernel>;
 
   /// \param weights vertex -> positive number
   template <typename VertexWeightMap, typename NamedParameters>
-  Fitted_surface(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                 const VertexWeightMap weights, const NamedParameters& np)
-    : m_control_points(with_weights(t_mesh, weights)),
-      m_surface(t_mesh, knots, corners, m_control_points, np)
+  Fitted_surface(const TMesh& t_mesh, const VertexWeightMap weights, const NamedParameters& np)
+    : m_control_points(with_weights(t_mesh.graph(), weights)),
+      m_surface(t_mesh, m_control_points, np)
   {
   }
   Fitted_surface(const Fitted_surface&) = delete; // the property map is shared
@@ -90,10 +91,10 @@ public:
 
 private:
   template <typename VertexWeightMap>
-  static Control_points with_weights(const TMesh& t_mesh, const VertexWeightMap weights)
+  static Control_points with_weights(const Graph& graph, const VertexWeightMap weights)
   {
-    Control_points result = get(CGAL::dynamic_vertex_property_t<Weighted_point_3>(), t_mesh);
-    for (const auto v : CGAL::make_range(vertices(t_mesh)))
+    Control_points result = get(CGAL::dynamic_vertex_property_t<Weighted_point_3>(), graph);
+    for (const auto v : CGAL::make_range(vertices(graph)))
       put(result, v, Weighted_point_3(Point_3(FT(0), FT(0), FT(0)), FT(get(weights, v))));
     return result;
   }

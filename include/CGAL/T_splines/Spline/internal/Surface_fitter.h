@@ -49,25 +49,26 @@ struct Face_fit {
 /// are closest to the surface there, not farther away on the mesh than a cell. So every cell is determined however few
 /// vertices the mesh has there, and the parametrization of the surface need not be that of the map, which is skewed at
 /// sharp edges, but cannot leave it by much and fold.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename Kernel>
+/// \tparam TMesh a `T_mesh_view` of a `const` graph
+template <typename TMesh, typename Kernel>
 class Surface_fitter {
-  using Fitted = Fitted_surface<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Kernel>;
-  using Carried = Carried_surface<TMesh>;
+  using Graph = typename TMesh::Graph;
+  using Fitted = Fitted_surface<TMesh, Kernel>;
+  using Carried = Carried_surface<Graph>;
   using Point_3 = Surface_walk::Point_3;
   using Vector_3 = Surface_walk::Vector_3;
 
 public:
   using FT = typename Kernel::FT;
   using Surface = typename Fitted::Surface;
-  using Compiled = Compiled_T_spline<TMesh, Kernel>;
+  using Compiled = Compiled_T_spline<Graph, Kernel>;
   using Start = Carried_spline<Compiled, Carried>;
   using Sample = Fitting_sample<FT>;
 
   /// \param carried, walk must outlive this; the walk is over the points and triangles of the carried surface
   /// \param stiffness of the faces, by index: by what factor the fairness is larger in them
-  Surface_fitter(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                 const Carried& carried, const Surface_walk& walk, std::vector<double> stiffness)
-    : m_fitted(t_mesh, knots, corners, CGAL::Constant_property_map<typename Surface::vertex_descriptor, FT>(FT(1)),
+  Surface_fitter(const TMesh& t_mesh, const Carried& carried, const Surface_walk& walk, std::vector<double> stiffness)
+    : m_fitted(t_mesh, CGAL::Constant_property_map<typename Surface::vertex_descriptor, FT>(FT(1)),
                CGAL::parameters::default_values()),
       m_carried(carried),
       m_walk(walk),
@@ -84,7 +85,7 @@ public:
   /// \return false if the solver fails, or the visitor stops the work: then the report says so
   template <typename SolverTraits, typename Visitor>
   bool fit(const Start* start, const double tolerance, const double fairness, const int number_of_corrections,
-           SolverTraits& solver, const Visitor& visitor, T_spline_fit_report<TMesh>& report)
+           SolverTraits& solver, const Visitor& visitor, T_spline_fit_report<Graph>& report)
   {
     take_samples();
     if (!has_samples()) {
@@ -119,7 +120,7 @@ private:
     constexpr double smallest_turn = 0.35; // in radians, of the normal at an edge: less does not show in a cell
     constexpr double edge_points_per_cell = 2;
     const Surface& surface = m_fitted.surface();
-    Surface_sampling<TMesh, FT> sampling(surface.basis(), surface.indexing(), m_carried, m_walk);
+    Surface_sampling<Graph, FT> sampling(surface.basis(), surface.indexing(), m_carried, m_walk);
     m_cells = sampling.cells(fewest_per_cell);
     m_edges = sampling.sharp_edges(smallest_turn, edge_points_per_cell);
     m_corners = sampling.corners();
@@ -182,7 +183,7 @@ private:
 
   template <typename SolverTraits, typename Visitor>
   bool iterate(const int number_of_corrections, Fitting_system<FT>& system, std::vector<Sample>& aims,
-               SolverTraits& solver, const Visitor& visitor, T_spline_fit_report<TMesh>& report)
+               SolverTraits& solver, const Visitor& visitor, T_spline_fit_report<Graph>& report)
   {
     report.number_of_corrections = 0;
     report.status = T_spline_fit_status::UNDERDETERMINED;
@@ -284,7 +285,7 @@ private:
   }
 
   // Distances of the surface from the mesh in the cells, and of edges and vertices of the mesh from the surface.
-  void measure(const double tolerance, T_spline_fit_report<TMesh>& report)
+  void measure(const double tolerance, T_spline_fit_report<Graph>& report)
   {
     m_faces.assign(m_fitted.surface().t_mesh_arrays().number_of_faces(), Face_fit());
     const Compiled compiled = compile_T_spline(m_fitted.surface());

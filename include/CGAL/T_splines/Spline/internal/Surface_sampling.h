@@ -34,15 +34,15 @@ struct Carried_sample {
 
 /// Takes samples of a carried surface as the Bezier cells of a spline over the T-mesh ask for them.
 /// \tparam FT the number type of the spline
-template <typename TMesh, typename FT>
+template <typename Graph, typename FT>
 class Surface_sampling {
-  using Surface = Carried_surface<TMesh>;
+  using Surface = Carried_surface<Graph>;
   using Image = typename Surface::Image;
   using Parameters = typename Surface::Parameters;
   using Point_3 = Surface_walk::Point_3;
 
 public:
-  Surface_sampling(const T_spline_basis<FT>& basis, const Mesh_indexing<TMesh>& indexing, const Surface& surface,
+  Surface_sampling(const T_spline_basis<FT>& basis, const Mesh_indexing<Graph>& indexing, const Surface& surface,
                    const Surface_walk& walk)
     : m_basis(basis),
       m_indexing(indexing),
@@ -279,7 +279,7 @@ private:
   }
 
   const T_spline_basis<FT>& m_basis;
-  const Mesh_indexing<TMesh>& m_indexing;
+  const Mesh_indexing<Graph>& m_indexing;
   const Surface& m_surface;
   const Surface_walk& m_walk;
   int m_face = 0;

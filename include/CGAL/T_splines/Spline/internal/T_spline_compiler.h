@@ -37,7 +37,7 @@ class T_spline_compiler {
   using Basis = T_spline_basis<FT>;
   using Action = typename Basis::Action;
   using Cone_face = typename Basis::Cone_face;
-  using Compiled = Compiled_T_spline<typename Surface::TMesh, Kernel>;
+  using Compiled = Compiled_T_spline<typename Surface::Graph, Kernel>;
   using Patch = typename Compiled::Patch;
   using Homogeneous = std::array<FT, 4>;
 

@@ -44,22 +44,23 @@ struct Sample_box {
 };
 
 /// Fits the control points of one T-mesh to samples, and moves the samples.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename Kernel>
+/// \tparam TMesh a `T_mesh_view` of a `const` graph
+template <typename TMesh, typename Kernel>
 class T_spline_fitter {
-  using Fitted = Fitted_surface<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Kernel>;
+  using Graph = typename TMesh::Graph;
+  using Fitted = Fitted_surface<TMesh, Kernel>;
 
 public:
   using FT = typename Kernel::FT;
   using Point_3 = typename Kernel::Point_3;
   using Surface = typename Fitted::Surface;
-  using Compiled = Compiled_T_spline<TMesh, Kernel>;
+  using Compiled = Compiled_T_spline<Graph, Kernel>;
   using Sample = Fitting_sample<FT>;
 
   /// \param weights vertex -> positive number
   template <typename VertexWeightMap, typename NamedParameters>
-  T_spline_fitter(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                  const VertexWeightMap weights, const NamedParameters& np)
-    : m_fitted(t_mesh, knots, corners, weights, np)
+  T_spline_fitter(const TMesh& t_mesh, const VertexWeightMap weights, const NamedParameters& np)
+    : m_fitted(t_mesh, weights, np)
   {
   }
 
@@ -70,7 +71,7 @@ public:
   /// \param samples not empty; moved. Their points are relative to the origin afterwards
   template <typename SolverTraits, typename Visitor>
   void fit(std::vector<Sample>& samples, const FT& fairness, const int number_of_corrections, SolverTraits& solver,
-           const Visitor& visitor, T_spline_fit_report<TMesh>& report)
+           const Visitor& visitor, T_spline_fit_report<Graph>& report)
   {
     const Sample_box<FT> box(samples);
     m_fitted.set_origin({box.center(0), box.center(1), box.center(2)});
@@ -125,11 +126,11 @@ private:
   // One round. Returns whether another one may help.
   template <typename SolverTraits>
   bool correct(Fitting_system<FT>& system, std::vector<Sample>& samples, SolverTraits& solver,
-               std::vector<std::array<FT, 3>>& points, T_spline_fit_report<TMesh>& report)
+               std::vector<std::array<FT, 3>>& points, T_spline_fit_report<Graph>& report)
   {
     const std::vector<Sample> old_samples = samples;
     const std::vector<FT> old_distances = m_squared_distances;
-    const T_spline_fit_report<TMesh> old_report = report;
+    const T_spline_fit_report<Graph> old_report = report;
     const std::vector<std::array<FT, 3>> old_points = points;
     const Compiled compiled = compile_T_spline(m_fitted.surface());
     const Parameter_correction<Compiled> correction(compiled, m_fitted.surface().basis());
@@ -152,7 +153,7 @@ private:
     return report.error.rms < 0.98 * old_report.error.rms;
   }
 
-  void measure(const std::vector<Sample>& samples, T_spline_fit_report<TMesh>& report)
+  void measure(const std::vector<Sample>& samples, T_spline_fit_report<Graph>& report)
   {
     const Surface& surface = m_fitted.surface();
     m_squared_distances.clear();

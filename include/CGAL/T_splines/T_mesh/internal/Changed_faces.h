@@ -16,21 +16,21 @@ namespace T_splines {
 namespace internal {
 
 // Collects the faces that operations on a T-mesh change and remove.
-template <typename TMesh>
+template <typename Graph>
 class Changed_faces {
 public:
-  using face_descriptor = typename boost::graph_traits<TMesh>::face_descriptor;
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
 
   class Visitor : public T_mesh_visitor {
   public:
     explicit Visitor(Changed_faces& faces) : m_faces(&faces) {}
 
     template <typename FT>
-    void faces_replaced(const std::vector<T_mesh_piece<TMesh, FT>>& pieces) const
+    void faces_replaced(const std::vector<T_mesh_piece<Graph, FT>>& pieces) const
     {
-      for (const T_mesh_piece<TMesh, FT>& piece : pieces)
+      for (const T_mesh_piece<Graph, FT>& piece : pieces)
         m_faces->erase(piece.from);
-      for (const T_mesh_piece<TMesh, FT>& piece : pieces)
+      for (const T_mesh_piece<Graph, FT>& piece : pieces)
         m_faces->insert(piece.to);
     }
 

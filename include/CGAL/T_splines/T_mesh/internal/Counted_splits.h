@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_T_MESH_INTERNAL_COUNTED_SPLITS_H
 
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/internal/Split_position.h>
 
@@ -20,9 +21,9 @@ namespace T_splines {
 namespace internal {
 
 /// Collects the vertices that operations on a T-mesh insert, and the faces on whose boundary they changed something.
-template <typename TMesh>
+template <typename Graph>
 class Touched_elements {
-  using Traits = boost::graph_traits<TMesh>;
+  using Traits = boost::graph_traits<Graph>;
   using vertex_descriptor = typename Traits::vertex_descriptor;
   using halfedge_descriptor = typename Traits::halfedge_descriptor;
   using face_descriptor = typename Traits::face_descriptor;
@@ -44,7 +45,7 @@ public:
     Touched_elements* m_elements;
   };
 
-  explicit Touched_elements(const TMesh& t_mesh) : m_t_mesh(t_mesh) {}
+  explicit Touched_elements(const Graph& graph) : m_graph(graph) {}
 
   Visitor visitor() { return Visitor(*this); }
 
@@ -60,26 +61,27 @@ public:
 private:
   void touch(const halfedge_descriptor h)
   {
-    m_faces.insert(face(h, m_t_mesh));
-    m_faces.insert(face(opposite(h, m_t_mesh), m_t_mesh));
+    m_faces.insert(face(h, m_graph));
+    m_faces.insert(face(opposite(h, m_graph), m_graph));
   }
 
-  const TMesh& m_t_mesh;
+  const Graph& m_graph;
   std::vector<vertex_descriptor> m_vertices;
   std::unordered_set<face_descriptor, boost::hash<face_descriptor>> m_faces;
 };
 
 /// Splits faces of a T-mesh, a limited number of times, and keeps account.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename Visitor>
+/// \tparam TMesh a `T_mesh_view`
+template <typename TMesh, typename Visitor>
 class Counted_splits {
-  using Editor = T_mesh_editor<TMesh, HalfedgeKnotMap, HalfedgeCornerMap,
-                               T_mesh_visitor_pair<typename Touched_elements<TMesh>::Visitor, Visitor>>;
+  using Editor =
+      T_mesh_editor<TMesh, T_mesh_visitor_pair<typename Touched_elements<typename TMesh::Graph>::Visitor, Visitor>>;
 
 public:
-  using Graph = TMesh;
+  using Graph = typename TMesh::Graph;
   using FT = typename Editor::FT;
   using Coordinates = typename Editor::Coordinates;
-  using Position = Split_position<TMesh, HalfedgeKnotMap, HalfedgeCornerMap>;
+  using Position = Split_position<Const_T_mesh_view_of<TMesh>>;
   using vertex_descriptor = typename Editor::vertex_descriptor;
   using halfedge_descriptor = typename Editor::halfedge_descriptor;
   using face_descriptor = typename Editor::face_descriptor;
@@ -90,13 +92,10 @@ public:
     bool is_split;
   };
 
-  Counted_splits(TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners, const Visitor& visitor,
-                 const std::size_t limit)
+  Counted_splits(const TMesh& t_mesh, const Visitor& visitor, const std::size_t limit)
     : m_t_mesh(t_mesh),
-      m_knots(knots),
-      m_corners(corners),
-      m_touched(t_mesh),
-      m_editor(t_mesh, knots, corners, {m_touched.visitor(), visitor}),
+      m_touched(t_mesh.graph()),
+      m_editor(t_mesh, {m_touched.visitor(), visitor}),
       m_limit(limit)
   {
   }
@@ -115,7 +114,7 @@ public:
     if (!edit)
       return {f, f, false};
     ++m_count;
-    const face_descriptor low = face(edit.halfedge, m_t_mesh), high = face(opposite(edit.halfedge, m_t_mesh), m_t_mesh);
+    const face_descriptor low = face(edit.halfedge, graph()), high = face(opposite(edit.halfedge, graph()), graph());
     return direction < 2 ? Parts{low, high, true} : Parts{high, low, true};
   }
 
@@ -131,17 +130,14 @@ public:
   std::size_t count() const { return m_count; }
   bool is_exhausted() const { return m_count >= m_limit; }
 
-  TMesh& t_mesh() const { return m_t_mesh; }
-  const HalfedgeKnotMap& knots() const { return m_knots; }
-  const HalfedgeCornerMap& corners() const { return m_corners; }
+  const TMesh& t_mesh() const { return m_t_mesh; }
+  const Graph& graph() const { return m_t_mesh.graph(); }
   const Coordinates& coordinates() const { return m_editor.coordinates(); }
-  Touched_elements<TMesh>& touched() { return m_touched; }
+  Touched_elements<Graph>& touched() { return m_touched; }
 
 private:
-  TMesh& m_t_mesh;
-  HalfedgeKnotMap m_knots;
-  HalfedgeCornerMap m_corners;
-  Touched_elements<TMesh> m_touched;
+  TMesh m_t_mesh;
+  Touched_elements<Graph> m_touched;
   Editor m_editor;
   std::size_t m_limit, m_count = 0;
 };

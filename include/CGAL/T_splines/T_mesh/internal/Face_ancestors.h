@@ -17,10 +17,10 @@ namespace T_splines {
 namespace internal {
 
 /// From which old face each face of a T-mesh was cut, while faces are split.
-template <typename TMesh>
+template <typename Graph>
 class Face_ancestors {
 public:
-  using face_descriptor = typename boost::graph_traits<TMesh>::face_descriptor;
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
 
   /// A model of `TMeshVisitor`; it refers to the ancestors.
   class Visitor : public T_mesh_visitor {
@@ -28,7 +28,7 @@ public:
     explicit Visitor(Face_ancestors& ancestors) : m_ancestors(&ancestors) {}
 
     template <typename FT>
-    void faces_replaced(const std::vector<T_mesh_piece<TMesh, FT>>& pieces) const
+    void faces_replaced(const std::vector<T_mesh_piece<Graph, FT>>& pieces) const
     {
       std::vector<face_descriptor> old_faces;
       for (const auto& piece : pieces)

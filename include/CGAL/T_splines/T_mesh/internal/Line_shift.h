@@ -28,13 +28,14 @@ namespace internal {
 //
 // Lengths of the edges that meet the line orthogonally change by the displacement, in each face's own units; nothing
 // else changes, as each face that the line touches has a full side on it.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename Visitor>
+template <typename TMesh, typename Visitor>
 class Line_shift {
-  using Traits = boost::graph_traits<TMesh>;
-  using vertex_descriptor = typename Traits::vertex_descriptor;
-  using halfedge_descriptor = typename Traits::halfedge_descriptor;
-  using face_descriptor = typename Traits::face_descriptor;
-  using Surgery = T_mesh_surgery<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Visitor>;
+  using Graph = typename TMesh::Graph;
+  using Traits = boost::graph_traits<Graph>;
+  using vertex_descriptor = typename TMesh::vertex_descriptor;
+  using halfedge_descriptor = typename TMesh::halfedge_descriptor;
+  using face_descriptor = typename TMesh::face_descriptor;
+  using Surgery = T_mesh_surgery<TMesh, Visitor>;
   using FT = typename Surgery::FT;
   using Piece = typename Surgery::Piece;
   using Status = T_mesh_edit_status;
@@ -55,7 +56,7 @@ class Line_shift {
   };
 
 public:
-  explicit Line_shift(Surgery& surgery) : m_surgery(surgery), m_t_mesh(surgery.t_mesh()) {}
+  explicit Line_shift(Surgery& surgery) : m_surgery(surgery), m_graph(surgery.t_mesh().graph()) {}
 
   template <typename IsFixed>
   Status shift(const halfedge_descriptor h, const FT& delta, const IsFixed& is_fixed)
@@ -67,22 +68,22 @@ public:
       return status;
     const std::vector<Piece> pieces = find_pieces(delta);
     for (const auto& change : m_changes)
-      put(m_surgery.knots(), change.first, FT(knot(change.first) + change.second.all));
+      m_surgery.t_mesh().set_knot(change.first, FT(knot(change.first) + change.second.all));
     for (const Link& link : m_line)
-      m_surgery.visitor().vertex_moved(target(link.h, m_t_mesh), link.h);
+      m_surgery.visitor().vertex_moved(target(link.h, m_graph), link.h);
     if (!m_is_closed) {
-      const halfedge_descriptor o = opposite(m_line.front().h, m_t_mesh);
-      m_surgery.visitor().vertex_moved(target(o, m_t_mesh), o);
+      const halfedge_descriptor o = opposite(m_line.front().h, m_graph);
+      m_surgery.visitor().vertex_moved(target(o, m_graph), o);
     }
     m_surgery.report_pieces(pieces);
     return Status::DONE;
   }
 
 private:
-  FT knot(const halfedge_descriptor h) const { return get(m_surgery.knots(), h); }
-  bool is_corner(const halfedge_descriptor h) const { return get(m_surgery.corners(), h); }
-  bool is_border(const halfedge_descriptor h) const { return face(h, m_t_mesh) == Traits::null_face(); }
-  FT ratio(const halfedge_descriptor h) const { return knot(opposite(h, m_t_mesh)) / knot(h); }
+  FT knot(const halfedge_descriptor h) const { return m_surgery.t_mesh().knot(h); }
+  bool is_corner(const halfedge_descriptor h) const { return m_surgery.t_mesh().is_corner(h); }
+  bool is_border(const halfedge_descriptor h) const { return face(h, m_graph) == Traits::null_face(); }
+  FT ratio(const halfedge_descriptor h) const { return knot(opposite(h, m_graph)) / knot(h); }
 
   template <typename IsFixed>
   Status find_line(const halfedge_descriptor h, const IsFixed& is_fixed)
@@ -92,14 +93,14 @@ private:
     if (status != Status::DONE)
       return status;
     if (!m_is_closed) {
-      const halfedge_descriptor o = opposite(h, m_t_mesh);
+      const halfedge_descriptor o = opposite(h, m_graph);
       status = follow(o, is_fixed, backward);
       if (status != Status::DONE)
         return status;
       const FT unit = ratio(h);
       for (std::size_t i = backward.size() - 1; i > 0; --i) {
         const halfedge_descriptor b = backward[i].h;
-        m_line.push_back({opposite(b, m_t_mesh), FT(unit * backward[i].unit * ratio(b))});
+        m_line.push_back({opposite(b, m_graph), FT(unit * backward[i].unit * ratio(b))});
       }
     }
     m_line.insert(m_line.end(), forward.begin(), forward.end());
@@ -113,20 +114,20 @@ private:
     Link link{start, FT(1)};
     while (true) {
       const halfedge_descriptor h = link.h;
-      if (is_border(h) || is_border(opposite(h, m_t_mesh)))
+      if (is_border(h) || is_border(opposite(h, m_graph)))
         return line.empty() ? Status::NO_FACE : Status::NO_FREE_LINE;
-      if (is_fixed(target(h, m_t_mesh)))
+      if (is_fixed(target(h, m_graph)))
         return Status::FIXED_VERTEX;
       line.push_back(link);
-      link.h = next(h, m_t_mesh);
+      link.h = next(h, m_graph);
       if (is_corner(h)) {
-        const halfedge_descriptor across = opposite(link.h, m_t_mesh);
+        const halfedge_descriptor across = opposite(link.h, m_graph);
         if (is_border(across))
           return Status::NO_FREE_LINE;
         if (!is_corner(across))
           return Status::DONE; // an orthogonal line passes
         link.unit *= ratio(link.h);
-        link.h = next(across, m_t_mesh);
+        link.h = next(across, m_graph);
       }
       if (link.h == start) {
         m_is_closed = true;
@@ -139,7 +140,7 @@ private:
   // unit is that one in the units of the face of h.
   void change(const halfedge_descriptor h, const FT& unit, const FT& delta)
   {
-    const halfedge_descriptor o = opposite(h, m_t_mesh);
+    const halfedge_descriptor o = opposite(h, m_graph);
     const FT change = unit * delta;
     const auto add = [this](const halfedge_descriptor i, const FT& c) {
       Change& total = m_changes.emplace(i, Change{FT(0), FT(0)}).first->second;
@@ -157,21 +158,21 @@ private:
     Hash_set<halfedge_descriptor> line;
     for (const Link& link : m_line) {
       line.insert(link.h);
-      line.insert(opposite(link.h, m_t_mesh));
+      line.insert(opposite(link.h, m_graph));
     }
     const FT minus_delta = -delta;
     for (std::size_t i = 0; i < m_line.size(); ++i) {
       // At the source of the edge: what meets the line from the left and from the right.
       const Link& link = m_line[i];
-      const halfedge_descriptor o = opposite(link.h, m_t_mesh);
+      const halfedge_descriptor o = opposite(link.h, m_graph);
       const FT right_unit = link.unit * ratio(link.h);
-      if (is_corner(prev(link.h, m_t_mesh)))
-        change(prev(link.h, m_t_mesh), link.unit, delta);
+      if (is_corner(prev(link.h, m_graph)))
+        change(prev(link.h, m_graph), link.unit, delta);
       if (is_corner(o))
-        change(next(o, m_t_mesh), right_unit, minus_delta);
+        change(next(o, m_graph), right_unit, minus_delta);
       if (i + 1 == m_line.size() && !m_is_closed) {
-        change(next(link.h, m_t_mesh), link.unit, delta);
-        change(prev(o, m_t_mesh), right_unit, minus_delta);
+        change(next(link.h, m_graph), link.unit, delta);
+        change(prev(o, m_graph), right_unit, minus_delta);
       }
     }
     for (const auto& c : m_changes) {
@@ -209,9 +210,9 @@ private:
     Hash_map<face_descriptor, std::size_t> index;
     std::vector<std::pair<face_descriptor, std::array<FT, 4>>> moved;
     const auto move = [&](const halfedge_descriptor h, const FT& distance) {
-      if (!is_corner(prev(h, m_t_mesh)))
+      if (!is_corner(prev(h, m_graph)))
         return;
-      const face_descriptor f = face(h, m_t_mesh);
+      const face_descriptor f = face(h, m_graph);
       const auto inserted = index.emplace(f, moved.size());
       if (inserted.second)
         moved.emplace_back(f, std::array<FT, 4>{FT(0), FT(0), FT(0), FT(0)});
@@ -219,7 +220,7 @@ private:
     };
     for (const Link& link : m_line) {
       move(link.h, FT(link.unit * delta));
-      move(opposite(link.h, m_t_mesh), FT(-(link.unit * ratio(link.h) * delta)));
+      move(opposite(link.h, m_graph), FT(-(link.unit * ratio(link.h) * delta)));
     }
 
     std::vector<Piece> pieces;
@@ -231,13 +232,13 @@ private:
     }
     // Then the strips that change faces, once for each pair of faces that touch.
     for (const Link& link : m_line) {
-      const halfedge_descriptor o = opposite(link.h, m_t_mesh);
-      if (!is_corner(prev(link.h, m_t_mesh)) && !is_corner(o))
+      const halfedge_descriptor o = opposite(link.h, m_graph);
+      if (!is_corner(prev(link.h, m_graph)) && !is_corner(o))
         continue;
       const halfedge_descriptor loser = delta > FT(0) ? o : link.h;
-      const Piece& winner = pieces[index[face(opposite(loser, m_t_mesh), m_t_mesh)]];
+      const Piece& winner = pieces[index[face(opposite(loser, m_graph), m_graph)]];
       Piece strip = winner;
-      strip.from = face(loser, m_t_mesh);
+      strip.from = face(loser, m_graph);
       strip.transition = compose(winner.transition, m_surgery.coordinates().transition(loser));
       pieces.push_back(strip);
     }
@@ -245,7 +246,7 @@ private:
   }
 
   Surgery& m_surgery;
-  const TMesh& m_t_mesh;
+  const Graph& m_graph;
   std::vector<Link> m_line;
   bool m_is_closed = false;
   Hash_map<halfedge_descriptor, Change> m_changes;

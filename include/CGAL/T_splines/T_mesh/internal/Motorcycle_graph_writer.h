@@ -26,8 +26,8 @@ namespace T_splines {
 namespace internal {
 
 /// Writes the T-mesh of a motorcycle graph, and what lies where, into a face graph and property maps.
-/// \tparam TMesh a model of `MutableFaceGraph`
-template <typename FT, typename TracingTraits, typename TMesh>
+/// \tparam Graph a model of `MutableFaceGraph`
+template <typename FT, typename TracingTraits, typename Graph>
 class Motorcycle_graph_writer {
   using Layout = Seamless_layout<FT>;
   using Cells = Motorcycle_cells<FT, TracingTraits>;
@@ -38,9 +38,9 @@ class Motorcycle_graph_writer {
   using Point = typename Geometry::Point_3;
 
 public:
-  Motorcycle_graph_writer(const Cells& cells, TMesh& t_mesh)
+  Motorcycle_graph_writer(const Cells& cells, Graph& graph)
     : m_cells(cells),
-      m_writer(t_mesh, cells.number_of_vertices(), cells.number_of_halfedges() / 2, cells.number_of_faces())
+      m_writer(graph, cells.number_of_vertices(), cells.number_of_halfedges() / 2, cells.number_of_faces())
   {
     for (int h = 0; h < cells.number_of_halfedges(); ++h)
       m_writer.join(h, cells.halfedge(h).next, cells.halfedge(h).target, cells.halfedge(h).face);
@@ -48,14 +48,15 @@ public:
       m_writer.set_halfedge_of_face(f, cells.halfedge_of_face(f));
   }
 
-  template <typename HalfedgeKnotMap, typename HalfedgeCornerMap>
-  void put_knots(HalfedgeKnotMap knots, HalfedgeCornerMap corners) const
+  /// \param t_mesh a `T_mesh_view` of the graph
+  template <typename TMesh>
+  void put_knots(const TMesh& t_mesh) const
   {
-    using Knot = typename boost::property_traits<HalfedgeKnotMap>::value_type;
+    using Knot = typename TMesh::FT;
     for (int h = 0; h < m_cells.number_of_halfedges(); ++h)
       if (!m_cells.is_border(h)) {
-        put(knots, m_writer.halfedge(h), converted_number<Knot>(m_cells.halfedge(h).knot));
-        put(corners, m_writer.halfedge(h), m_cells.halfedge(h).is_corner);
+        t_mesh.set_knot(m_writer.halfedge(h), converted_number<Knot>(m_cells.halfedge(h).knot));
+        t_mesh.set_corner(m_writer.halfedge(h), m_cells.halfedge(h).is_corner);
       }
   }
 
@@ -68,12 +69,12 @@ public:
   }
 
   template <typename EdgePolylineMap>
-  void put_polylines(const Geometry& geometry, const TMesh& t_mesh, EdgePolylineMap map) const
+  void put_polylines(const Geometry& geometry, const Graph& graph, EdgePolylineMap map) const
   {
     using Polyline = typename boost::property_traits<EdgePolylineMap>::value_type;
     for (int h = 0; h < m_cells.number_of_halfedges(); h += 2) {
-      const auto e = edge(m_writer.halfedge(h), t_mesh);
-      const bool is_same = halfedge(e, t_mesh) == m_writer.halfedge(h);
+      const auto e = edge(m_writer.halfedge(h), graph);
+      const bool is_same = halfedge(e, graph) == m_writer.halfedge(h);
       Polyline polyline;
       for (const Point& p : geometry.polyline(is_same ? h : h + 1))
         polyline.push_back(to<typename Polyline::value_type>(p));
@@ -168,7 +169,7 @@ private:
   }
 
   const Cells& m_cells;
-  Face_graph_writer<TMesh> m_writer;
+  Face_graph_writer<Graph> m_writer;
 };
 
 } // namespace internal

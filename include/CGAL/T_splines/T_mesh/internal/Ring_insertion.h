@@ -14,7 +14,6 @@
 
 #include <boost/container/small_vector.hpp>
 #include <boost/container_hash/hash.hpp>
-#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
@@ -88,20 +87,20 @@ private:
   static FT tolerance(const FT& size) { return T_mesh_arrays<FT>::tolerance(size); }
 
   const typename Splits::Coordinates& coordinates() const { return m_splits.coordinates(); }
-  FT knot(const halfedge_descriptor h) const { return get(m_splits.knots(), h); }
-  bool is_corner(const halfedge_descriptor h) const { return get(m_splits.corners(), h); }
+  FT knot(const halfedge_descriptor h) const { return m_splits.t_mesh().knot(h); }
+  bool is_corner(const halfedge_descriptor h) const { return m_splits.t_mesh().is_corner(h); }
 
   bool is_border(const vertex_descriptor v) const { return is_border_vertex(v, m_splits.t_mesh()); }
   bool is_inner_extraordinary(const vertex_descriptor v) const
   {
-    return !is_border(v) && is_extraordinary(v, m_splits.t_mesh(), m_splits.corners());
+    return !is_border(v) && is_extraordinary(v, m_splits.t_mesh());
   }
 
   // Extends an edge at v through a face that goes straight on there.
   bool extend_at(const vertex_descriptor v)
   {
-    const auto& t_mesh = m_splits.t_mesh();
-    for (const halfedge_descriptor h : CGAL::halfedges_around_target(halfedge(v, t_mesh), t_mesh))
+    const auto& graph = m_splits.graph();
+    for (const halfedge_descriptor h : CGAL::halfedges_around_target(halfedge(v, graph), graph))
       if (!is_corner(h))
         return m_splits.extend(h);
     return false;
@@ -110,15 +109,15 @@ private:
   // Splits keep halfedge(v) where it is among the edges of v, and do not change the units of faces.
   Sectors sectors(const vertex_descriptor v) const
   {
-    const auto& t_mesh = m_splits.t_mesh();
+    const auto& graph = m_splits.graph();
     Sectors result;
     FT unit(1);
-    const halfedge_descriptor first = halfedge(v, t_mesh);
+    const halfedge_descriptor first = halfedge(v, graph);
     halfedge_descriptor h = first;
     do {
       result.push_back({h, unit});
-      unit *= knot(h) / knot(opposite(h, t_mesh));
-      h = prev(opposite(h, t_mesh), t_mesh);
+      unit *= knot(h) / knot(opposite(h, graph));
+      h = prev(opposite(h, graph), graph);
     } while (h != first);
     return result;
   }
@@ -126,19 +125,19 @@ private:
   // How far the rings may reach.
   FT clearance(const vertex_descriptor v) const
   {
-    const auto& t_mesh = m_splits.t_mesh();
+    const auto& graph = m_splits.graph();
     FT result(-1);
     const auto bound = [&](const FT& x) {
       if (result < FT(0) || x < result)
         result = x;
     };
     for (const Sector& sector : sectors(v)) {
-      const halfedge_descriptor spoke = next(sector.h, t_mesh);
-      const vertex_descriptor end = target(spoke, t_mesh);
+      const halfedge_descriptor spoke = next(sector.h, graph);
+      const vertex_descriptor end = target(spoke, graph);
       const FT length = knot(spoke) * sector.unit;
       // Beyond the third ring there must be room for two intervals before a border.
       bound(is_border(end) ? FT(length * FT(3) / FT(4)) : is_inner_extraordinary(end) ? FT(length / FT(2)) : length);
-      if (is_inner_extraordinary(target(corners_of_face(sector.h)[2], t_mesh))) {
+      if (is_inner_extraordinary(target(corners_of_face(sector.h)[2], graph))) {
         const FT width = coordinates().side_length(spoke), height = coordinates().side_length(sector.h);
         bound((std::max)(width, height) * sector.unit / FT(2));
       }
@@ -160,8 +159,8 @@ private:
   // What is left of the first edge of a sector by rings that reach as far as the clearances allow.
   FT rest_of_spoke(const Sector& sector, const FT& reach) const
   {
-    const halfedge_descriptor spoke = next(sector.h, m_splits.t_mesh());
-    const vertex_descriptor end = target(spoke, m_splits.t_mesh());
+    const halfedge_descriptor spoke = next(sector.h, m_splits.graph());
+    const vertex_descriptor end = target(spoke, m_splits.graph());
     const FT rest = knot(spoke) * sector.unit - reach;
     if (!is_inner_extraordinary(end))
       return rest;
@@ -183,7 +182,7 @@ private:
   // The unit of the face of h in the common unit of the vertex at which h ends.
   FT unit_of_corner(const halfedge_descriptor h) const
   {
-    for (const Sector& sector : sectors(target(h, m_splits.t_mesh())))
+    for (const Sector& sector : sectors(target(h, m_splits.graph())))
       if (sector.h == h)
         return sector.unit;
     CGAL_assertion(false);
@@ -195,7 +194,7 @@ private:
   {
     std::array<halfedge_descriptor, 4> result{h};
     for (int i = 1; i < 4; ++i)
-      result[i] = coordinates().last_of_side(next(result[i - 1], m_splits.t_mesh()));
+      result[i] = coordinates().last_of_side(next(result[i - 1], m_splits.graph()));
     return result;
   }
 
@@ -204,7 +203,7 @@ private:
   {
     const Sectors before = sectors(plan.v);
     for (const Sector& sector : before) {
-      const FT length = knot(next(sector.h, m_splits.t_mesh())) * sector.unit;
+      const FT length = knot(next(sector.h, m_splits.graph())) * sector.unit;
       if (plan.unit * FT(3) > length)
         plan.unit = length / FT(3);
     }
@@ -231,18 +230,18 @@ private:
 
   Sector_plan plan_of_sector(const vertex_descriptor v, const std::size_t i, const FT& reach) const
   {
-    const auto& t_mesh = m_splits.t_mesh();
+    const auto& graph = m_splits.graph();
     const halfedge_descriptor h = sectors(v)[i].h;
     const std::array<halfedge_descriptor, 4> corners = corners_of_face(h);
-    Sector_plan result{face(h, t_mesh),
+    Sector_plan result{face(h, graph),
                        (coordinates().side(h) + 1) % 4,
-                       coordinates().side_length(next(h, t_mesh)),
+                       coordinates().side_length(next(h, graph)),
                        coordinates().side_length(h),
                        {reach, FT(0), FT(0), FT(0)},
-                       next(corners[2], t_mesh),
-                       next(corners[1], t_mesh)};
+                       next(corners[2], graph),
+                       next(corners[1], graph)};
     for (int k = 1; k < 4; ++k) {
-      const auto found = m_index.find(target(corners[k], t_mesh));
+      const auto found = m_index.find(target(corners[k], graph));
       if (found != m_index.end())
         result.room[k] = m_plans[found->second].unit * FT(3) / unit_of_corner(corners[k]);
     }
@@ -316,7 +315,7 @@ private:
   {
     FT x = knot(h);
     while (!is_corner(h) && x < distance - tolerance(size)) {
-      h = next(h, m_splits.t_mesh());
+      h = next(h, m_splits.graph());
       x += knot(h);
     }
     return !is_corner(h) && x <= distance + tolerance(size);

@@ -12,7 +12,6 @@
 #include <CGAL/number_type_basic.h>
 
 #include <boost/container_hash/hash.hpp>
-#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
@@ -77,11 +76,7 @@ class Spline_compatibility_repair {
   static constexpr int most_rings = 20;
 
 public:
-  explicit Spline_compatibility_repair(Splits& splits)
-    : m_splits(splits),
-      m_split_position(splits.t_mesh(), splits.knots(), splits.corners())
-  {
-  }
+  explicit Spline_compatibility_repair(Splits& splits) : m_splits(splits), m_split_position(splits.t_mesh()) {}
 
   /// Goes on until nothing is left to be done, nothing can be done, or no more splits are allowed. With exact knots
   /// the rounds look at rounded copies, which are made anew each time, so that errors do not add up; where these find
@@ -117,7 +112,7 @@ private:
     std::vector<int> cone_of_face; // the extraordinary vertex in whose rings a face lies
     std::vector<int> candidates;   // vertices to be looked at
 
-    State(const Splits& splits) : indexing(splits.t_mesh()), structure(indexing, splits.knots(), splits.corners()) {}
+    explicit State(const Splits& splits) : indexing(splits.graph()), structure(indexing, splits.t_mesh()) {}
   };
 
   template <typename KnotFT>
@@ -440,7 +435,7 @@ private:
     const auto g = state.indexing.halfedge(h);
     const int direction = (arrays.side(h) + (ray.is_across[i] ? 1 : 0)) % 4;
     const FT middle = ray.is_across[i] ? FT(coordinates.side_length(coordinates.first_of_side(f, direction)) / FT(2))
-                                       : FT(coordinates.place(g).begin + FT(get(m_splits.knots(), g)) / FT(2));
+                                       : FT(coordinates.place(g).begin + FT(m_splits.t_mesh().knot(g)) / FT(2));
     return m_splits.split(f, direction, middle).is_split ? Split::DONE : Split::IMPOSSIBLE;
   }
 

@@ -47,12 +47,13 @@ public:
   static constexpr int none = -1;
 
   /// \pre the knots are admissible
-  template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap>
-  Spline_structure(const Mesh_indexing<TMesh>& indexing, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners)
-    : m_knot_arrays(indexing, knots, corners)
+  /// \tparam TMesh a `T_mesh_view`
+  template <typename TMesh>
+  Spline_structure(const Mesh_indexing<typename TMesh::Graph>& indexing, const TMesh& t_mesh)
+    : m_knot_arrays(indexing, t_mesh)
   {
     if constexpr (!std::is_same<KnotFT, FT>::value)
-      m_arrays = Arrays(indexing, knots, corners);
+      m_arrays = Arrays(indexing, t_mesh);
     classify_vertices();
   }
   Spline_structure(const Spline_structure&) = delete; // the rings refer to the arrays

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_T_MESH_INTERNAL_SPLIT_POSITION_H
 
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/internal/exactness.h>
 
 #include <CGAL/number_type_basic.h>
@@ -19,22 +20,17 @@ namespace internal {
 
 /// Where to split a face of a T-mesh in two: at a vertex of the two sides that are cut, if there is one near the place
 /// that is asked for, so that lines do not run close to each other.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap>
+/// \tparam TMesh a `T_mesh_view` of a `const` graph, which the constructor finds for any model of `TMesh`
+template <typename TMesh>
 class Split_position {
-  using Coordinates = T_mesh_coordinates<TMesh, HalfedgeKnotMap, HalfedgeCornerMap>;
+  using Coordinates = T_mesh_coordinates<TMesh>;
   using halfedge_descriptor = typename Coordinates::halfedge_descriptor;
   using face_descriptor = typename Coordinates::face_descriptor;
 
 public:
   using FT = typename Coordinates::FT;
 
-  Split_position(const TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners)
-    : m_t_mesh(t_mesh),
-      m_knots(knots),
-      m_corners(corners),
-      m_coordinates(t_mesh, knots, corners)
-  {
-  }
+  explicit Split_position(const TMesh& t_mesh) : m_t_mesh(t_mesh), m_coordinates(t_mesh) {}
 
   /// The middle, or a vertex in the middle third. A new knot so keeps a distance of a sixth of the face from the old
   /// ones.
@@ -94,19 +90,20 @@ private:
   {
     std::vector<FT> result;
     FT distance(0);
-    while (!get(m_corners, h)) {
-      distance += get(m_knots, h);
+    while (!m_t_mesh.is_corner(h)) {
+      distance += m_t_mesh.knot(h);
       result.push_back(distance);
-      h = next(h, m_t_mesh);
+      h = next(h, m_t_mesh.graph());
     }
     return result;
   }
 
-  const TMesh& m_t_mesh;
-  HalfedgeKnotMap m_knots;
-  HalfedgeCornerMap m_corners;
+  TMesh m_t_mesh;
   Coordinates m_coordinates;
 };
+
+template <typename TMesh>
+Split_position(const TMesh&) -> Split_position<Const_T_mesh_view_of<TMesh>>;
 
 } // namespace internal
 } // namespace T_splines

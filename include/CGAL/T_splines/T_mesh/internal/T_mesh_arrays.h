@@ -28,28 +28,28 @@ struct T_mesh_halfedge {
 };
 
 // All but sides and begins. The members of T_mesh_arrays would hide the graph's free functions.
-template <typename FT, typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap>
-std::vector<T_mesh_halfedge<FT>> t_mesh_halfedges(const Mesh_indexing<TMesh>& indexing, const HalfedgeKnotMap knots,
-                                                  const HalfedgeCornerMap corners)
+template <typename FT, typename TMesh>
+std::vector<T_mesh_halfedge<FT>> t_mesh_halfedges(const Mesh_indexing<typename TMesh::Graph>& indexing,
+                                                  const TMesh& t_mesh)
 {
-  const TMesh& t_mesh = indexing.graph();
+  const auto& graph = indexing.graph();
   std::vector<T_mesh_halfedge<FT>> result(indexing.number_of_halfedges());
   for (int i = 0; i < indexing.number_of_halfedges(); ++i) {
     const auto h = indexing.halfedge(i);
-    result[i].next = indexing.halfedge_index(next(h, t_mesh));
-    result[i].prev = indexing.halfedge_index(prev(h, t_mesh));
-    result[i].target = indexing.vertex_index(target(h, t_mesh));
-    if (face(h, t_mesh) == boost::graph_traits<TMesh>::null_face())
+    result[i].next = indexing.halfedge_index(next(h, graph));
+    result[i].prev = indexing.halfedge_index(prev(h, graph));
+    result[i].target = indexing.vertex_index(target(h, graph));
+    if (face(h, graph) == boost::graph_traits<typename TMesh::Graph>::null_face())
       continue;
-    result[i].face = indexing.face_index(face(h, t_mesh));
-    result[i].is_corner = get(corners, h);
-    result[i].knot = converted_number<FT>(get(knots, h));
+    result[i].face = indexing.face_index(face(h, graph));
+    result[i].is_corner = t_mesh.is_corner(h);
+    result[i].knot = converted_number<FT>(t_mesh.knot(h));
   }
   return result;
 }
 
-template <typename TMesh>
-int halfedge_index_of_face(const Mesh_indexing<TMesh>& indexing, const int f)
+template <typename Graph>
+int halfedge_index_of_face(const Mesh_indexing<Graph>& indexing, const int f)
 {
   return indexing.halfedge_index(halfedge(indexing.face(f), indexing.graph()));
 }
@@ -70,10 +70,11 @@ public:
   T_mesh_arrays() = default;
 
   /// \pre each face has four corners
-  template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap>
-  T_mesh_arrays(const Mesh_indexing<TMesh>& indexing, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners)
+  /// \tparam TMesh a `T_mesh_view`
+  template <typename TMesh>
+  T_mesh_arrays(const Mesh_indexing<typename TMesh::Graph>& indexing, const TMesh& t_mesh)
     : m_number_of_vertices(indexing.number_of_vertices()),
-      m_halfedges(t_mesh_halfedges<FT>(indexing, knots, corners)),
+      m_halfedges(t_mesh_halfedges<FT>(indexing, t_mesh)),
       m_incoming(indexing.number_of_vertices(), none),
       m_faces(indexing.number_of_faces())
   {

@@ -25,36 +25,35 @@ namespace internal {
 /// Walks along all edges of a T-mesh on the surface, from vertices whose place is known to the others.
 ///
 /// A stand that looks along a halfedge has the length of the halfedge, in its chart, as its unit.
-template <typename TriangleMesh, typename FT, typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap,
-          typename TracingTraits>
+/// \tparam TMesh a `T_mesh_view` of a `const` graph
+template <typename TriangleMesh, typename FT, typename TMesh, typename TracingTraits>
 class T_mesh_placement {
-  using Traits = boost::graph_traits<TMesh>;
-  using vertex_descriptor = typename Traits::vertex_descriptor;
-  using halfedge_descriptor = typename Traits::halfedge_descriptor;
+  using Graph = typename TMesh::Graph;
+  using vertex_descriptor = typename TMesh::vertex_descriptor;
+  using halfedge_descriptor = typename TMesh::halfedge_descriptor;
   using Walker = Isoline_walker<FT, TracingTraits>;
   using Stand = typename Walker::Stand;
-  using Vertex_flag_map = typename boost::property_map<TMesh, CGAL::dynamic_vertex_property_t<bool>>::const_type;
-  using Halfedge_flag_map = typename boost::property_map<TMesh, CGAL::dynamic_halfedge_property_t<bool>>::const_type;
+  using Vertex_flag_map = typename boost::property_map<Graph, CGAL::dynamic_vertex_property_t<bool>>::const_type;
+  using Halfedge_flag_map = typename boost::property_map<Graph, CGAL::dynamic_halfedge_property_t<bool>>::const_type;
 
 public:
   using Point_3 = typename Walker::Point_3;
 
   T_mesh_placement(const Seamless_map<TriangleMesh, FT>& map, const std::vector<Point_3>& points, const TMesh& t_mesh,
-                   const HalfedgeKnotMap knots, const HalfedgeCornerMap corners, const TracingTraits& traits)
+                   const TracingTraits& traits)
     : m_map(map),
       m_t_mesh(t_mesh),
-      m_knots(knots),
-      m_corners(corners),
+      m_graph(t_mesh.graph()),
       m_walker(map.layout(), points, traits),
-      m_is_placed(get(CGAL::dynamic_vertex_property_t<bool>(), t_mesh)),
-      m_is_main(get(CGAL::dynamic_halfedge_property_t<bool>(), t_mesh))
+      m_is_placed(get(CGAL::dynamic_vertex_property_t<bool>(), m_graph)),
+      m_is_main(get(CGAL::dynamic_halfedge_property_t<bool>(), m_graph))
   {
-    for (const auto e : CGAL::make_range(edges(t_mesh))) { // an edge made of a halfedge may remember which one it was
-      const halfedge_descriptor h = halfedge(e, t_mesh);
+    for (const auto e : CGAL::make_range(edges(m_graph))) { // an edge made of a halfedge may remember which one it was
+      const halfedge_descriptor h = halfedge(e, m_graph);
       put(m_is_main, h, true);
-      put(m_is_main, opposite(h, t_mesh), false);
+      put(m_is_main, opposite(h, m_graph), false);
     }
-    for (const vertex_descriptor v : CGAL::make_range(vertices(t_mesh)))
+    for (const vertex_descriptor v : CGAL::make_range(vertices(m_graph)))
       put(m_is_placed, v, false);
   }
 
@@ -63,7 +62,7 @@ public:
   bool place(const Root& root, const FoundVertex& found_vertex, const FoundEdge& found_edge)
   {
     Stand stand;
-    const T_mesh_coordinates<TMesh, HalfedgeKnotMap, HalfedgeCornerMap> coordinates(m_t_mesh, m_knots, m_corners);
+    const T_mesh_coordinates coordinates(m_t_mesh);
     const halfedge_descriptor first = coordinates.first_of_side(root.place.face, 0);
     const FT width(coordinates.side_length(first)),
         height(coordinates.side_length(coordinates.first_of_side(root.place.face, 1)));
@@ -87,8 +86,11 @@ private:
     Stand stand;
   };
 
-  FT knot(const halfedge_descriptor h) const { return FT(get(m_knots, h)); }
-  bool is_border(const halfedge_descriptor h) const { return face(h, m_t_mesh) == Traits::null_face(); }
+  FT knot(const halfedge_descriptor h) const { return FT(m_t_mesh.knot(h)); }
+  bool is_border(const halfedge_descriptor h) const
+  {
+    return face(h, m_graph) == boost::graph_traits<Graph>::null_face();
+  }
 
   /// Goes to the origin of the root's face, with the unit of the face, and looks along the u axis.
   template <typename Root>
@@ -120,8 +122,8 @@ private:
   template <typename FoundVertex>
   void reach(const halfedge_descriptor h, const Stand& stand, const FoundVertex& found_vertex)
   {
-    put(m_is_placed, source(h, m_t_mesh), true);
-    found_vertex(source(h, m_t_mesh), m_walker.point(stand));
+    put(m_is_placed, source(h, m_graph), true);
+    found_vertex(source(h, m_graph), m_walker.point(stand));
   }
 
   /// Walks along all halfedges that leave the source of a known one.
@@ -135,18 +137,18 @@ private:
         return false;
       if (is_border(h))
         break;
-      const halfedge_descriptor before = prev(h, m_t_mesh);
+      const halfedge_descriptor before = prev(h, m_graph);
       stand.unit *= knot(before) / knot(h);
-      m_walker.turn(stand, get(m_corners, before) ? 1 : 2);
-      h = opposite(before, m_t_mesh);
+      m_walker.turn(stand, m_t_mesh.is_corner(before) ? 1 : 2);
+      h = opposite(before, m_graph);
     } while (h != known.halfedge);
     if (h != known.halfedge || is_border(h)) { // the others, clockwise
       h = known.halfedge;
       stand = known.stand;
-      while (!is_border(opposite(h, m_t_mesh))) {
-        const halfedge_descriptor in = opposite(h, m_t_mesh), after = next(in, m_t_mesh);
+      while (!is_border(opposite(h, m_graph))) {
+        const halfedge_descriptor in = opposite(h, m_graph), after = next(in, m_graph);
         stand.unit *= knot(after) / knot(in);
-        m_walker.turn(stand, get(m_corners, in) ? -1 : -2);
+        m_walker.turn(stand, m_t_mesh.is_corner(in) ? -1 : -2);
         h = after;
         if (!walk_along(h, stand, found_vertex, found_edge))
           return false;
@@ -159,8 +161,8 @@ private:
   bool walk_along(const halfedge_descriptor h, Stand stand, const FoundVertex& found_vertex,
                   const FoundEdge& found_edge)
   {
-    const halfedge_descriptor back = opposite(h, m_t_mesh);
-    const bool is_new = !get(m_is_placed, target(h, m_t_mesh));
+    const halfedge_descriptor back = opposite(h, m_graph);
+    const bool is_new = !get(m_is_placed, target(h, m_graph));
     const bool is_main = get(m_is_main, h);
     if (!is_new && !is_main)
       return true; // the polyline comes from the other end
@@ -169,7 +171,7 @@ private:
       return false;
     if (!is_main)
       std::reverse(polyline.begin(), polyline.end());
-    found_edge(edge(is_main ? h : back, m_t_mesh), polyline);
+    found_edge(edge(is_main ? h : back, m_graph), polyline);
     if (is_new) {
       reach(back, stand, found_vertex);
       m_queue.push_back({back, stand});
@@ -178,9 +180,8 @@ private:
   }
 
   const Seamless_map<TriangleMesh, FT>& m_map;
-  const TMesh& m_t_mesh;
-  const HalfedgeKnotMap m_knots;
-  const HalfedgeCornerMap m_corners;
+  TMesh m_t_mesh;
+  const Graph& m_graph;
   Walker m_walker;
   Vertex_flag_map m_is_placed;
   Halfedge_flag_map m_is_main; // the halfedge of its edge

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_T_MESH_INTERNAL_T_MESH_REGULARIZATION_H
 
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/internal/Changed_faces.h>
 #include <CGAL/T_splines/T_mesh/internal/Split_position.h>
 
@@ -42,14 +43,15 @@ inline std::pair<int, int> short_fraction(const double x)
 }
 
 // The greedy improvement of a T-mesh ([CZ17] section 8.1), its state between operations.
-template <typename TMesh, typename HalfedgeKnotMap, typename HalfedgeCornerMap, typename Visitor,
-          typename VertexIsConstrainedMap>
+// \tparam TMesh a `T_mesh_view`
+template <typename TMesh, typename Visitor, typename VertexIsConstrainedMap>
 class T_mesh_regularization {
-  using Traits = boost::graph_traits<TMesh>;
-  using halfedge_descriptor = typename Traits::halfedge_descriptor;
-  using face_descriptor = typename Traits::face_descriptor;
-  using Editor_visitor = T_mesh_visitor_pair<typename Changed_faces<TMesh>::Visitor, Visitor>;
-  using Editor = T_mesh_editor<TMesh, HalfedgeKnotMap, HalfedgeCornerMap, Editor_visitor, VertexIsConstrainedMap>;
+  using Graph = typename TMesh::Graph;
+  using Traits = boost::graph_traits<Graph>;
+  using halfedge_descriptor = typename TMesh::halfedge_descriptor;
+  using face_descriptor = typename TMesh::face_descriptor;
+  using Editor_visitor = T_mesh_visitor_pair<typename Changed_faces<Graph>::Visitor, Visitor>;
+  using Editor = T_mesh_editor<TMesh, Editor_visitor, VertexIsConstrainedMap>;
   using FT = typename Editor::FT;
 
   // The part from `from` to `to`, as fractions, of the overlap of the two faces of `h` is to be removed.
@@ -132,20 +134,18 @@ public:
   // unless a face became worse than the worst one, or than this.
   static constexpr double aspect_at_gap = 5;
 
-  T_mesh_regularization(TMesh& t_mesh, const HalfedgeKnotMap knots, const HalfedgeCornerMap corners,
-                        const Visitor& visitor, const VertexIsConstrainedMap vertex_is_constrained)
+  T_mesh_regularization(const TMesh& t_mesh, const Visitor& visitor, const VertexIsConstrainedMap vertex_is_constrained)
     : m_t_mesh(t_mesh),
-      m_knots(knots),
-      m_corners(corners),
-      m_split_position(t_mesh, knots, corners),
-      m_editor(t_mesh, knots, corners, Editor_visitor(m_changed_faces.visitor(), visitor), vertex_is_constrained)
+      m_graph(t_mesh.graph()),
+      m_split_position(t_mesh),
+      m_editor(t_mesh, Editor_visitor(m_changed_faces.visitor(), visitor), vertex_is_constrained)
   {
   }
 
   // Executes at most the given number of operations.
   Counts run(const std::size_t number_of_operations)
   {
-    for (const face_descriptor f : faces(m_t_mesh))
+    for (const face_descriptor f : faces(m_graph))
       push(f);
     Counts counts;
     std::size_t done = 0;
@@ -190,8 +190,8 @@ private:
     std::vector<face_descriptor> near;
     for (const face_descriptor f : m_changed_faces.changed()) {
       near.push_back(f);
-      for (const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_t_mesh), m_t_mesh)) {
-        const face_descriptor g = face(opposite(h, m_t_mesh), m_t_mesh);
+      for (const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_graph), m_graph)) {
+        const face_descriptor g = face(opposite(h, m_graph), m_graph);
         if (g != Traits::null_face() && g != near.back())
           near.push_back(g);
       }
@@ -213,15 +213,15 @@ private:
     for (const int side : {is_wide ? 0 : 1, is_wide ? 2 : 3}) {
       halfedge_descriptor h = m_editor.coordinates().first_of_side(f, side);
       while (true) {
-        const face_descriptor g = face(opposite(h, m_t_mesh), m_t_mesh);
+        const face_descriptor g = face(opposite(h, m_graph), m_graph);
         if (g != Traits::null_face() && g != f) {
           const auto overlap = m_editor.overlap(h);
           is_found = find_removal(overlap, sizes(overlap), best) || is_found;
           h = overlap.last;
         }
-        if (get(m_corners, h))
+        if (m_t_mesh.is_corner(h))
           break;
-        h = next(h, m_t_mesh);
+        h = next(h, m_graph);
       }
     }
     return is_found;
@@ -229,18 +229,18 @@ private:
 
   Sizes sizes(const typename Editor::Overlap& o) const
   {
-    const halfedge_descriptor opposite_first = opposite(o.first, m_t_mesh);
+    const halfedge_descriptor opposite_first = opposite(o.first, m_graph);
     const double scale = CGAL::to_double(o.scale), length = CGAL::to_double(FT(o.end - o.begin));
     const FT opposite_after = o.opposite_side_length - o.opposite_begin - FT(o.end - o.begin) / o.scale;
     Sizes result;
     result.length = length;
     result.depth = {depth(o.first), scale * depth(opposite_first)};
-    result.before = {reach(o.begin, get(m_corners, prev(o.first, m_t_mesh))),
-                     scale * reach(opposite_after, get(m_corners, opposite_first))};
-    result.after = {reach(FT(o.side_length - o.end), get(m_corners, o.last)),
-                    scale * reach(o.opposite_begin, get(m_corners, prev(opposite(o.last, m_t_mesh), m_t_mesh)))};
-    result.first_is_fixed = m_editor.is_fixed(target(opposite_first, m_t_mesh));
-    result.last_is_fixed = m_editor.is_fixed(target(o.last, m_t_mesh));
+    result.before = {reach(o.begin, m_t_mesh.is_corner(prev(o.first, m_graph))),
+                     scale * reach(opposite_after, m_t_mesh.is_corner(opposite_first))};
+    result.after = {reach(FT(o.side_length - o.end), m_t_mesh.is_corner(o.last)),
+                    scale * reach(o.opposite_begin, m_t_mesh.is_corner(prev(opposite(o.last, m_graph), m_graph)))};
+    result.first_is_fixed = m_editor.is_fixed(target(opposite_first, m_graph));
+    result.last_is_fixed = m_editor.is_fixed(target(o.last, m_graph));
     return result;
   }
 
@@ -248,7 +248,7 @@ private:
 
   double depth(const halfedge_descriptor h) const
   {
-    const face_descriptor f = face(h, m_t_mesh);
+    const face_descriptor f = face(h, m_graph);
     const bool is_horizontal = m_editor.coordinates().side(h) % 2 == 0;
     return CGAL::to_double(is_horizontal ? m_editor.coordinates().height(f) : m_editor.coordinates().width(f));
   }
@@ -313,16 +313,16 @@ private:
   // its source if not.
   bool is_between_lines(const halfedge_descriptor h, const bool is_forward) const
   {
-    const halfedge_descriptor o = opposite(h, m_t_mesh);
-    return face(h, m_t_mesh) != Traits::null_face() && face(o, m_t_mesh) != Traits::null_face() &&
-           get(m_corners, h) == is_forward && get(m_corners, o) == is_forward &&
-           get(m_corners, prev(h, m_t_mesh)) != is_forward && get(m_corners, prev(o, m_t_mesh)) != is_forward;
+    const halfedge_descriptor o = opposite(h, m_graph);
+    return face(h, m_graph) != Traits::null_face() && face(o, m_graph) != Traits::null_face() &&
+           m_t_mesh.is_corner(h) == is_forward && m_t_mesh.is_corner(o) == is_forward &&
+           m_t_mesh.is_corner(prev(h, m_graph)) != is_forward && m_t_mesh.is_corner(prev(o, m_graph)) != is_forward;
   }
 
   double part_of_side(const halfedge_descriptor h) const
   {
     const auto& coordinates = m_editor.coordinates();
-    return CGAL::to_double(FT(get(m_knots, h))) / CGAL::to_double(coordinates.side_length(h));
+    return CGAL::to_double(FT(m_t_mesh.knot(h))) / CGAL::to_double(coordinates.side_length(h));
   }
 
   // A line that ends next to another one: the halfedge at its end, which begins there or ends there.
@@ -336,12 +336,12 @@ private:
   std::vector<Line_at_gap> gaps() const
   {
     std::vector<Line_at_gap> result;
-    for (const halfedge_descriptor h : halfedges(m_t_mesh))
+    for (const halfedge_descriptor h : halfedges(m_graph))
       for (const bool is_forward : {true, false})
         if (is_between_lines(h, is_forward)) {
-          const double part = (std::min)(part_of_side(h), part_of_side(opposite(h, m_t_mesh)));
+          const double part = (std::min)(part_of_side(h), part_of_side(opposite(h, m_graph)));
           if (part < smallest_gap)
-            result.push_back({part, is_forward ? next(h, m_t_mesh) : prev(h, m_t_mesh), is_forward});
+            result.push_back({part, is_forward ? next(h, m_graph) : prev(h, m_graph), is_forward});
         }
     std::stable_sort(result.begin(), result.end(),
                      [](const Line_at_gap& a, const Line_at_gap& b) { return a.width < b.width; });
@@ -352,7 +352,7 @@ private:
   bool close_a_gap()
   {
     double limit = aspect_at_gap;
-    for (const face_descriptor f : faces(m_t_mesh))
+    for (const face_descriptor f : faces(m_graph))
       limit = (std::max)(limit, aspect(f));
     for (const Line_at_gap& line : gaps())
       if (shorten(line, limit))
@@ -364,7 +364,7 @@ private:
   // new end, at a vertex of one of the two faces or away from them.
   bool shorten(const Line_at_gap& line, const double limit)
   {
-    if (face(line.h, m_t_mesh) == face(opposite(line.h, m_t_mesh), m_t_mesh))
+    if (face(line.h, m_graph) == face(opposite(line.h, m_graph), m_graph))
       return false;
     const auto o = m_editor.overlap(line.h);
     const Sizes s = sizes(o);
@@ -390,7 +390,7 @@ private:
   // of them.
   FT snapped(const typename Editor::Overlap& o, const FT& x) const
   {
-    const halfedge_descriptor last = opposite(o.last, m_t_mesh);
+    const halfedge_descriptor last = opposite(o.last, m_graph);
     const FT length = o.end - o.begin;
     const FT y = snapped_in_face(o.first, FT(o.begin + x), o.side_length) - o.begin;
     const FT z = o.opposite_begin + FT(length - y) / o.scale;
@@ -406,15 +406,14 @@ private:
   {
     const int side = m_editor.coordinates().side(h);
     const FT margin = size / FT(16), at = side < 2 ? x : FT(size - x);
-    const FT result = m_split_position.near(face(h, m_t_mesh), side % 2, FT(at - margin), at, FT(at + margin));
+    const FT result = m_split_position.near(face(h, m_graph), side % 2, FT(at - margin), at, FT(at + margin));
     return side < 2 ? result : FT(size - result);
   }
 
-  TMesh& m_t_mesh;
-  HalfedgeKnotMap m_knots;
-  HalfedgeCornerMap m_corners;
-  Split_position<TMesh, HalfedgeKnotMap, HalfedgeCornerMap> m_split_position;
-  Changed_faces<TMesh> m_changed_faces;
+  TMesh m_t_mesh;
+  const Graph& m_graph;
+  Split_position<Const_T_mesh_view_of<TMesh>> m_split_position;
+  Changed_faces<Graph> m_changed_faces;
   Editor m_editor;
   std::priority_queue<Entry> m_queue;
   std::unordered_map<face_descriptor, std::size_t, boost::hash<face_descriptor>> m_stamps; // of the valid entry

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/*!
+\ingroup PkgTSplinesConcepts
+\cgalConcept
+
+The concept `TMesh` describes a T-mesh with halfedge knots ([CZ17] section 4): a graph, the knot interval of each halfedge
+in the units of its face, and where the faces have their corners.
+
+The functions that change a T-mesh take it by a forwarding reference, so that a view may be made where it is needed. What
+a `const` model refers to may change all the same, as with property maps of CGAL.
+
+\cgalRefines `CopyConstructible`
+
+\cgalHasModel `CGAL::T_splines::T_mesh<Point_3, FT>`: a value, with a graph of its own
+\cgalHasModel `CGAL::T_splines::T_spline<Kernel>`: the same with weights
+\cgalHasModel `CGAL::T_splines::T_mesh_view<Graph, KnotMap, CornerMap>`: refers to a graph and maps that lie elsewhere
+*/
+class TMesh {
+public:
+  /// \name Types
+  /// @{
+
+  /*!
+  a model of `HalfedgeGraph` and `FaceGraph`; functions name what else they ask for, `MutableFaceGraph` those that change
+  the T-mesh. It may be non-simple: two edges may join the same two vertices, and a face may meet itself.
+  */
+  typedef unspecified_type Graph;
+
+  /*!
+  a readable property map, halfedge -> `FT`: the knot interval of the halfedge in the units of its face, positive. It is
+  not read at border halfedges. Functions that change the T-mesh write it, also at halfedges that the graph has just
+  added.
+  */
+  typedef unspecified_type Knot_map;
+
+  /*!
+  a readable property map, halfedge -> `bool`: whether the face of the halfedge turns, by a right angle, at its target.
+  Otherwise as `Knot_map`.
+  */
+  typedef unspecified_type Corner_map;
+
+  /*!
+  the number type of the knots, a model of `Field` and `RealEmbeddable`.
+  */
+  typedef unspecified_type FT;
+
+  /*!
+  the descriptors of `Graph`.
+  */
+  typedef unspecified_type vertex_descriptor, halfedge_descriptor, face_descriptor;
+
+  /// @}
+
+  /// \name Operations
+  /// @{
+
+  /*!
+  returns the graph; `const Graph&` where the T-mesh is not to be changed.
+  */
+  Graph& graph();
+
+  /*!
+  return the maps.
+  */
+  Knot_map knots() const;
+  Corner_map corners() const;
+
+  /// @}
+};

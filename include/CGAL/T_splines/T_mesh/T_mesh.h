@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_T_MESH_T_MESH_H
+#define CGAL_T_SPLINES_T_MESH_T_MESH_H
+
+#include <CGAL/T_splines/T_mesh/T_mesh_view.h>
+#include <CGAL/T_splines/internal/Face_graph_writer.h>
+#include <CGAL/T_splines/internal/Mesh_indexing.h>
+#include <CGAL/T_splines/internal/converted_number.h>
+
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/assertions.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+namespace CGAL {
+namespace T_splines {
+
+/// copies the connectivity of a T-mesh, its knots and its corners. The elements keep their order; points are not copied.
+/// \tparam FromTMesh, ToTMesh models of `TMesh`, the graphs of `FaceListGraph` and `VertexListGraph`, that of `to` of
+///         `MutableFaceGraph`; knots are converted, exact ones to doubles rounded
+/// \pre `to` has no vertices
+/// Complexity: linear.
+template <typename FromTMesh, typename ToTMesh>
+void copy_T_mesh(const FromTMesh& from, ToTMesh&& to)
+{
+  using Graph = T_mesh_graph<FromTMesh>;
+  const Const_T_mesh_view_of<FromTMesh> source(from);
+  const T_mesh_view_of<ToTMesh> result(to);
+  using Knot = typename decltype(result)::FT;
+  const Graph& graph = source.graph();
+  CGAL_precondition(num_vertices(result.graph()) == 0);
+  const internal::Mesh_indexing<Graph> indexing(graph);
+  internal::Face_graph_writer<T_mesh_graph<ToTMesh>> writer(
+      result.graph(), indexing.number_of_vertices(), indexing.number_of_halfedges() / 2, indexing.number_of_faces());
+  for (int i = 0; i < indexing.number_of_halfedges(); ++i) {
+    const auto h = indexing.halfedge(i);
+    const bool is_border = face(h, graph) == boost::graph_traits<Graph>::null_face();
+    writer.join(i, indexing.halfedge_index(next(h, graph)), indexing.vertex_index(target(h, graph)),
+                is_border ? -1 : indexing.face_index(face(h, graph)));
+    if (is_border)
+      continue;
+    result.set_knot(writer.halfedge(i), internal::converted_number<Knot>(source.knot(h)));
+    result.set_corner(writer.halfedge(i), source.is_corner(h));
+  }
+  for (int f = 0; f < indexing.number_of_faces(); ++f)
+    writer.set_halfedge_of_face(f, indexing.halfedge_index(halfedge(indexing.face(f), graph)));
+}
+
+/// A T-mesh with halfedge knots, as one value: a model of `TMesh`. Copies have their own graph, knots and corners.
+///
+/// The graph is a `Surface_mesh`; whatever else belongs to the T-mesh, control points and anchors for instance, is in
+/// its points and property maps, which are copied, too.
+/// \tparam Point_3_ the points of the vertices
+/// \tparam FT_ the number type of the knots
+template <typename Point_3_, typename FT_ = double>
+class T_mesh {
+public:
+  using Point_3 = Point_3_;
+  using FT = FT_;
+  using Graph = CGAL::Surface_mesh<Point_3>;
+  using vertex_descriptor = typename Graph::Vertex_index;
+  using halfedge_descriptor = typename Graph::Halfedge_index;
+  using face_descriptor = typename Graph::Face_index;
+  using Knot_map = typename Graph::template Property_map<halfedge_descriptor, FT>;
+  using Corner_map = typename Graph::template Property_map<halfedge_descriptor, bool>;
+
+  /// is empty.
+  T_mesh() { find_maps(); }
+  T_mesh(const T_mesh& other) : m_graph(other.m_graph) { find_maps(); }
+  T_mesh& operator=(const T_mesh& other)
+  {
+    m_graph = other.m_graph;
+    find_maps();
+    return *this;
+  }
+
+  Graph& graph() { return m_graph; }
+  const Graph& graph() const { return m_graph; }
+  const Knot_map& knots() const { return m_knots; }       ///< of new halfedges 0
+  const Corner_map& corners() const { return m_corners; } ///< of new halfedges `false`
+
+private:
+  // Of this graph, not of the one that was copied.
+  void find_maps()
+  {
+    m_knots = m_graph.template add_property_map<halfedge_descriptor, FT>("h:knot", FT(0)).first;
+    m_corners = m_graph.template add_property_map<halfedge_descriptor, bool>("h:is_corner", false).first;
+  }
+
+  Graph m_graph;
+  Knot_map m_knots;
+  Corner_map m_corners;
+};
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_T_MESH_T_MESH_H

@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_T_MESH_T_MESH_VIEW_H
+#define CGAL_T_SPLINES_T_MESH_T_MESH_VIEW_H
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+template <typename T, typename = void>
+constexpr bool is_t_mesh = false;
+
+template <typename T>
+constexpr bool is_t_mesh<T, std::void_t<typename T::Graph, typename T::Knot_map, typename T::Corner_map>> = true;
+
+// What `graph()` returns of T, T& or const T&.
+template <typename T>
+using Graph_reference = decltype(std::declval<std::remove_reference_t<T>&>().graph());
+
+} // namespace internal
+
+/// A T-mesh with halfedge knots whose parts lie elsewhere: a graph, the property map of its knots and that of its
+/// corners. A model of `TMesh` that refers to all three; a copy refers to the same ones.
+/// \tparam Graph_ a model of `HalfedgeGraph` and `FaceGraph`, `const` if it is not to be changed; it may be non-simple
+/// \tparam KnotMap a readable map, halfedge -> the knot interval of the halfedge in the units of its face; it is not
+///         read at border halfedges. To change the T-mesh it must be writable, also at halfedges that the graph has just
+///         added
+/// \tparam CornerMap the same with `bool`: whether the face of the halfedge turns, by a right angle, at its target
+template <typename Graph_, typename KnotMap, typename CornerMap>
+class T_mesh_view {
+public:
+  using Graph = std::remove_const_t<Graph_>;
+  using Knot_map = KnotMap;
+  using Corner_map = CornerMap;
+  using FT = typename boost::property_traits<KnotMap>::value_type; ///< of the knots
+  using vertex_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<Graph>::halfedge_descriptor;
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
+
+  T_mesh_view(Graph_& graph, const KnotMap knots, const CornerMap corners)
+    : m_graph(&graph),
+      m_knots(knots),
+      m_corners(corners)
+  {
+  }
+
+  /// of another model of `TMesh` with the same types.
+  template <typename TMesh,
+            typename = std::enable_if_t<internal::is_t_mesh<std::decay_t<TMesh>> &&
+                                        !std::is_same<std::decay_t<TMesh>, T_mesh_view>::value &&
+                                        std::is_convertible<internal::Graph_reference<TMesh>, Graph_&>::value>>
+  T_mesh_view(TMesh&& t_mesh) : T_mesh_view(t_mesh.graph(), t_mesh.knots(), t_mesh.corners())
+  {
+  }
+
+  Graph_& graph() const { return *m_graph; }
+  const KnotMap& knots() const { return m_knots; }
+  const CornerMap& corners() const { return m_corners; }
+
+  decltype(auto) knot(const halfedge_descriptor h) const { return get(m_knots, h); }
+  bool is_corner(const halfedge_descriptor h) const { return get(m_corners, h); }
+  void set_knot(const halfedge_descriptor h, const FT& knot) const { put(m_knots, h, knot); }
+  void set_corner(const halfedge_descriptor h, const bool is_corner) const { put(m_corners, h, is_corner); }
+
+private:
+  static_assert(std::is_same<typename boost::property_traits<KnotMap>::key_type, halfedge_descriptor>::value &&
+                    std::is_same<typename boost::property_traits<CornerMap>::key_type, halfedge_descriptor>::value,
+                "knots and corners are property maps of the halfedges of the graph");
+  static_assert(std::is_same<typename boost::property_traits<CornerMap>::value_type, bool>::value &&
+                    !std::is_same<FT, bool>::value,
+                "the map of the knots comes first, then that of the corners, whose values are bool");
+
+  Graph_* m_graph;
+  KnotMap m_knots;
+  CornerMap m_corners;
+};
+
+/// The graph of a model of `TMesh`, or of a reference to one.
+template <typename TMesh>
+using T_mesh_graph = typename std::decay_t<TMesh>::Graph;
+
+/// The view of a model of `TMesh`, or of a reference to one, by which its graph can be changed if it is not `const`.
+template <typename TMesh>
+using T_mesh_view_of = T_mesh_view<std::remove_reference_t<internal::Graph_reference<TMesh>>,
+                                   typename std::decay_t<TMesh>::Knot_map, typename std::decay_t<TMesh>::Corner_map>;
+
+/// The view of a model of `TMesh` by which its graph cannot be changed.
+template <typename TMesh>
+using Const_T_mesh_view_of = T_mesh_view<const T_mesh_graph<TMesh>, typename std::decay_t<TMesh>::Knot_map,
+                                         typename std::decay_t<TMesh>::Corner_map>;
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_T_MESH_T_MESH_VIEW_H
