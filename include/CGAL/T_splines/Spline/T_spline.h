@@ -43,6 +43,7 @@ public:
 
   /// is empty.
   T_spline() { find_weights(); }
+  /// \param t_mesh its points are the control points
   explicit T_spline(const Value& t_mesh) : m_t_mesh(t_mesh) { find_weights(); }
   T_spline(const T_spline& other) : T_spline(other.m_t_mesh) {}
   T_spline& operator=(const T_spline& other)

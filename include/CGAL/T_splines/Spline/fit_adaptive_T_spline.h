@@ -110,7 +110,7 @@ Carried_surface<ToGraph> copied_surface(const Mesh_indexing<Graph>& indexing, co
 /// \param t_mesh admissible
 /// \param surface the mesh, on the T-mesh: `carry_surface()` makes it. Its images cover all faces
 /// \param tolerance the largest distance allowed between mesh and surface, in the units of the points; positive
-/// \param spline receives the best level, with weights of 1; written upon success only. \pre It is empty
+/// \param spline becomes the best level, with weights of 1, upon success; it stays what it was otherwise
 /// \param np optional named parameters:
 ///   `T_splines::parameters::maximum_number_of_control_points`: a `std::size_t` (5000, or if that is more, four times as
 ///     many as the coarsest spline compatible T-mesh has, or half as many as the mesh has vertices);
