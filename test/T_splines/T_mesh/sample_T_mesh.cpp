@@ -97,7 +97,8 @@ double distance_on_foot(Map& map, const std::size_t i)
   const auto& anchor = map.traced.anchors.at(sample.place.face);
   const auto points = map.points();
   const auto coordinates = map.coordinates();
-  Walker walker(map.traced.map.layout(), points, Traits());
+  const Traits traits; // the walker refers to it
+  Walker walker(map.traced.map.layout(), points, traits);
   const auto origin = anchor.to_face.inverse()(Exact(0), Exact(0));
   auto stand =
       walker.stand_in_face(map.traced.map.indexing().face_index(anchor.triangle), {{origin.first, origin.second}},
