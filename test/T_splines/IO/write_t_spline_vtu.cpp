@@ -3,14 +3,10 @@
 
 #include <CGAL/T_splines/IO/write_t_spline_vtu.h>
 
-#include <CGAL/T_splines/Spline/T_spline.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
 
 #include "IO/Temporary_directory.h"
-
-#include <CGAL/Random.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include "random_torus.h"
 
 #include <catch2/catch.hpp>
 
@@ -24,37 +20,8 @@
 
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Kernel = Random_torus::Kernel;
 namespace T = CGAL::T_splines;
-
-/// A torus of squares with random control points and weights.
-struct Random_torus {
-  T::T_spline<Kernel> spline;
-
-  Random_torus()
-  {
-    constexpr int n = 5;
-    CGAL::Random random(1);
-    Mesh& mesh = spline.graph();
-    for (int i = 0; i < n * n; ++i) {
-      const auto v = mesh.add_vertex(Kernel::Point_3(random.get_double(), random.get_double(), random.get_double()));
-      spline.weights()[v] = random.get_double(0.5, 2);
-    }
-    const auto at = [](const int i, const int j) {
-      return Mesh::Vertex_index(static_cast<Mesh::size_type>(n * (i % n) + j % n));
-    };
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j)
-        mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-    for (const auto h : mesh.halfedges()) {
-      put(spline.knots(), h, 1);
-      put(spline.corners(), h, true);
-    }
-  }
-
-  auto compiled() const { return T::compile_T_spline(spline.surface()); }
-};
 
 /// The numbers of the array whose tag contains `name`.
 template <typename Number>
@@ -84,8 +51,8 @@ std::vector<Number> array_of(const std::string& file, const std::string& name)
 
 TEST_CASE("a VTK file has the control points and weights of all patches, bit by bit", "[write_t_spline_vtu]")
 {
-  const Random_torus torus;
-  const auto surface = torus.compiled();
+  const Random_torus torus = random_torus(5);
+  const auto surface = T::compile_T_spline(torus.surface());
   std::ostringstream out;
   REQUIRE_FALSE(T::write_t_spline_vtu(out, surface));
   const std::string file = out.str();
@@ -134,8 +101,8 @@ TEST_CASE("a VTK file has the control points and weights of all patches, bit by 
 TEST_CASE("a VTK file is written whole or not at all", "[write_t_spline_vtu]")
 {
   const Temporary_directory directory;
-  const Random_torus torus;
-  const auto surface = torus.compiled();
+  const Random_torus torus = random_torus(5);
+  const auto surface = T::compile_T_spline(torus.surface());
   CHECK_FALSE(T::write_t_spline_vtu(directory.file("torus.vtu"), surface));
   CHECK(std::filesystem::exists(directory.file("torus.vtu")));
   CHECK(T::write_t_spline_vtu(directory.file("no/torus.vtu"), surface));

@@ -7,9 +7,9 @@
 #include <CGAL/T_splines/Spline/insert_knot_line.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 
+#include "random_torus.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Random.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/squared_distance_3.h>
 
 #include <catch2/catch.hpp>
@@ -22,31 +22,7 @@ namespace {
 namespace T = CGAL::T_splines;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using T_spline = T::T_spline<Kernel>;
-using Graph = T_spline::Graph;
 constexpr int n = 6;
-
-// A torus of n x n squares with random control points and weights.
-T_spline random_torus()
-{
-  CGAL::Random random(3);
-  T_spline spline;
-  Graph& graph = spline.graph();
-  for (int i = 0; i < n * n; ++i) {
-    const auto v = graph.add_vertex({random.get_double(), random.get_double(), random.get_double()});
-    spline.weights()[v] = random.get_double(0.5, 2);
-  }
-  const auto at = [](const int i, const int j) {
-    return Graph::Vertex_index(static_cast<Graph::size_type>(n * (i % n) + j % n));
-  };
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
-      graph.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-  for (const auto h : graph.halfedges()) {
-    put(spline.knots(), h, 1);
-    put(spline.corners(), h, true);
-  }
-  return spline;
-}
 
 // Whether both surfaces are the same, bit by bit.
 bool are_equal(const T_spline& a, const T_spline& b)
@@ -65,7 +41,7 @@ bool are_equal(const T_spline& a, const T_spline& b)
 
 TEST_CASE("copies of a T-spline have their own control points and weights", "[T_spline]")
 {
-  const T_spline original = random_torus();
+  const T_spline original = random_torus(n);
   REQUIRE(original.surface().is_valid());
   T_spline copy = original, assigned;
   CHECK_FALSE(assigned.number_of_control_points() > 0);
@@ -82,7 +58,7 @@ TEST_CASE("copies of a T-spline have their own control points and weights", "[T_
 
 TEST_CASE("a T-spline is evaluated with its weights, and written and read with them", "[T_spline]")
 {
-  const T_spline original = random_torus();
+  const T_spline original = random_torus(n);
   std::stringstream file;
   REQUIRE_FALSE(T::write_t_mesh(file, original));
   T_spline read;
@@ -99,7 +75,7 @@ TEST_CASE("a T-spline is evaluated with its weights, and written and read with t
 
 TEST_CASE("a line of knots goes into a T-spline without changing it", "[T_spline]")
 {
-  T_spline spline = random_torus();
+  T_spline spline = random_torus(n);
   const auto f = *spline.graph().faces().begin();
   const auto before = spline.surface().position(f, 0.25, 0.75);
   REQUIRE(T::insert_knot_line(spline, spline.control_points(), f, 0, 0.5));

@@ -63,8 +63,8 @@ struct Holonomy_signature_report {
   Holonomy_signature_status status = Holonomy_signature_status::VALID;
   Triangle_mesh_report<TriangleMesh> mesh;
   typename Traits::vertex_descriptor vertex = Traits::null_vertex();
-  typename Traits::face_descriptor face = Traits::
-      null_face(); ///< of GAUSS_BONNET_VIOLATED, DEPENDENT_LOOPS and WRONG_NUMBER_OF_LOOPS: the first face of the component
+  /// Of GAUSS_BONNET_VIOLATED, DEPENDENT_LOOPS and WRONG_NUMBER_OF_LOOPS: the first face of the component.
+  typename Traits::face_descriptor face = Traits::null_face();
   std::size_t index = 0; ///< of a cone or loop
   int component = 0;     ///< components are numbered in the order of their first faces
   int expected = 0;

@@ -14,16 +14,16 @@ namespace T_splines {
 namespace internal {
 
 template <typename TMesh, typename = void>
-constexpr bool has_weights = false;
+constexpr bool has_own_weights = false;
 
 template <typename TMesh>
-constexpr bool has_weights<TMesh, std::void_t<decltype(std::declval<const TMesh&>().weights())>> = true;
+constexpr bool has_own_weights<TMesh, std::void_t<decltype(std::declval<const TMesh&>().weights())>> = true;
 
 /// The weights of the control points that a T-mesh has itself, as a `T_spline` does; 1 for others.
 template <typename TMesh>
 auto own_weights(const TMesh& t_mesh)
 {
-  if constexpr (has_weights<TMesh>)
+  if constexpr (has_own_weights<TMesh>)
     return t_mesh.weights();
   else
     return CGAL::Constant_property_map<typename TMesh::vertex_descriptor, double>(1.);
