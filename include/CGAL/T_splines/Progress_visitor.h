@@ -7,6 +7,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesMisc
 /// The visitor that does nothing, and the list of what a progress visitor offers.
 ///
 /// The functions of this package take a visitor by the named parameter `visitor` and copy it freely: one with state

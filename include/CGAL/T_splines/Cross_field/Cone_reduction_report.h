@@ -9,6 +9,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesCrossField
 /// How the reduction of cones ended.
 enum class Cone_reduction_status {
   REDUCED,           ///< the signature has no more cones than asked for
@@ -19,6 +20,7 @@ enum class Cone_reduction_status {
   INTERRUPTED        ///< the visitor asked to stop
 };
 
+/// \ingroup PkgTSplinesCrossField
 /// returns one sentence that explains `status`.
 inline const char* message(const Cone_reduction_status status)
 {
@@ -34,15 +36,16 @@ inline const char* message(const Cone_reduction_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesCrossField
 /// What `reduce_cones()` did and how it ended. The numbers have a meaning if the signature was written.
 /// \tparam TriangleMesh a model of `FaceGraph`.
 template <typename TriangleMesh>
 struct Cone_reduction_report {
-  Cone_reduction_status status = Cone_reduction_status::REDUCED;
+  Cone_reduction_status status = Cone_reduction_status::REDUCED; ///< how it ended
 
   Holonomy_signature_report<TriangleMesh> signature; ///< the check of the input
 
-  int number_of_cones_before = 0;
+  int number_of_cones_before = 0;   ///< of the signature that was given
   int number_of_cones = 0;          ///< afterwards
   int number_of_loop_turns = 0;     ///< quarter turns by which numbers of loops were changed, without merges
   int number_of_splits = 0;         ///< quarter turns that cones gave away or got, without merges
@@ -51,6 +54,7 @@ struct Cone_reduction_report {
   double energy = 0;                ///< afterwards
   double largest_energy_change = 0; ///< of a merge, or 0 if no merge raised the energy
 
+  /// returns whether `status` tells of success.
   bool success() const { return status == Cone_reduction_status::REDUCED; }
 };
 

@@ -16,6 +16,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesCrossField
 /// The holonomy signature of a cross field or of a seamless similarity map ([CZ17] section 2.1): how often a cross
 /// turns around each vertex and along 2g loops that generate the homology of a closed surface.
 ///
@@ -31,7 +32,8 @@ namespace T_splines {
 template <typename TriangleMesh>
 class Holonomy_signature {
 public:
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor; ///< a vertex of the mesh
+  /// a halfedge of the mesh.
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
   /// A vertex with its number of quarter turns.
@@ -40,7 +42,7 @@ public:
   /// A closed strip of triangles with its number of quarter turns.
   struct Loop {
     std::vector<halfedge_descriptor> halfedges; ///< the halfedges by which the strip enters its faces, in cyclic order
-    int quarter_turns = 0;
+    int quarter_turns = 0;                      ///< k of the loop
   };
 
   /// Quarter turns around a regular vertex.
@@ -72,19 +74,23 @@ public:
   /// returns the vertices with k_v != 4, in the order in which they were set.
   const std::vector<Cone>& cones() const { return m_cones; }
 
+  /// adds a loop behind those that are there.
   void add_loop(std::vector<halfedge_descriptor> halfedges, const int quarter_turns)
   {
     m_loops.push_back({std::move(halfedges), quarter_turns});
   }
 
+  /// sets the number of quarter turns of loop `i`. \pre `i` < `loops().size()`
   void set_loop_quarter_turns(const std::size_t i, const int k)
   {
     CGAL_precondition(i < m_loops.size());
     m_loops[i].quarter_turns = k;
   }
 
+  /// returns the loops in the order in which they were added.
   const std::vector<Loop>& loops() const { return m_loops; }
 
+  /// removes all cones and loops.
   void clear()
   {
     m_cones.clear();

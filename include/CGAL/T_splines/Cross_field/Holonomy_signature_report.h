@@ -13,6 +13,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesCrossField
 /// What is wrong with a holonomy signature, or with what it is made from.
 enum class Holonomy_signature_status {
   VALID,                 ///< the signature is admissible
@@ -30,6 +31,7 @@ enum class Holonomy_signature_status {
   LOOP_NOT_INTEGER       ///< the turns along loop number `index` are not a multiple of pi/2 within 1e-6
 };
 
+/// \ingroup PkgTSplinesCrossField
 /// returns one sentence that explains `status`.
 inline const char* message(const Holonomy_signature_status status)
 {
@@ -53,6 +55,7 @@ inline const char* message(const Holonomy_signature_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesCrossField
 /// The result of making or checking a holonomy signature: what is wrong, and where. Members that `status` does not mention have
 /// no meaning.
 /// \tparam TriangleMesh a model of `FaceGraph`.
@@ -60,17 +63,18 @@ template <typename TriangleMesh>
 struct Holonomy_signature_report {
   using Traits = boost::graph_traits<TriangleMesh>;
 
-  Holonomy_signature_status status = Holonomy_signature_status::VALID;
-  Triangle_mesh_report<TriangleMesh> mesh;
-  typename Traits::vertex_descriptor vertex = Traits::null_vertex();
+  Holonomy_signature_status status = Holonomy_signature_status::VALID; ///< what is wrong
+  Triangle_mesh_report<TriangleMesh> mesh;                             ///< the check of the mesh
+  typename Traits::vertex_descriptor vertex = Traits::null_vertex();   ///< a cone, or where the field does not close up
   /// Of GAUSS_BONNET_VIOLATED, DEPENDENT_LOOPS and WRONG_NUMBER_OF_LOOPS: the first face of the component.
   typename Traits::face_descriptor face = Traits::null_face();
   std::size_t index = 0; ///< of a cone or loop
   int component = 0;     ///< components are numbered in the order of their first faces
-  int expected = 0;
-  int actual = 0;
-  double deviation = 0; ///< largest distance, in quarter turns, of a computed number from an integer
+  int expected = 0;      ///< what `status` compares with
+  int actual = 0;        ///< what was found
+  double deviation = 0;  ///< largest distance, in quarter turns, of a computed number from an integer
 
+  /// returns whether `status` tells of success.
   bool success() const { return status == Holonomy_signature_status::VALID; }
 };
 

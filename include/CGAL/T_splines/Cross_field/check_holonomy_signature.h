@@ -77,6 +77,7 @@ void check_loops(const Closed_mesh<TriangleMesh>& mesh, const Holonomy_signature
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesCrossField
 /// checks whether a holonomy signature is admissible on a mesh: the mesh is valid, every vertex has at least one quarter
 /// turn, the theorem of Gauss and Bonnet holds in each connected component, and each component has 2g loops that are
 /// closed strips and generate its homology over the integers.
@@ -85,7 +86,22 @@ void check_loops(const Closed_mesh<TriangleMesh>& mesh, const Holonomy_signature
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param mesh the mesh
 /// \param signature vertices and halfedges of it are of `mesh`, or null
-/// \param np named parameters: `vertex_point_map`; `geom_traits`
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a geometric traits class}
+///     \cgalParamType{a model of `Kernel`}
+///     \cgalParamDefault{the kernel of the points, a new object}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return the status INVALID_MESH, NULL_VERTEX, NON_POSITIVE_CONE, GAUSS_BONNET_VIOLATED, INVALID_LOOP,
 ///         WRONG_NUMBER_OF_LOOPS, DEPENDENT_LOOPS or VALID.
 /// Complexity: O(n log n) in the number of faces, and O(g^3) per component.

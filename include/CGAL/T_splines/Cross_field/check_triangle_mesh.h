@@ -21,6 +21,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesCrossField
 /// What `check_triangle_mesh()` finds first.
 enum class Triangle_mesh_status {
   VALID,               ///< everything that this package asks of a mesh holds
@@ -34,6 +35,7 @@ enum class Triangle_mesh_status {
   ZERO_AREA_FACE       ///< the corners of `face` are collinear, exactly
 };
 
+/// \ingroup PkgTSplinesCrossField
 /// returns one sentence that explains `status`.
 inline const char* message(const Triangle_mesh_status status)
 {
@@ -51,17 +53,19 @@ inline const char* message(const Triangle_mesh_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesCrossField
 /// The result of `check_triangle_mesh()`: what is wrong, and where. Descriptors that `status` does not mention are null.
 /// \tparam TriangleMesh a model of `FaceGraph`.
 template <typename TriangleMesh>
 struct Triangle_mesh_report {
   using Traits = boost::graph_traits<TriangleMesh>;
 
-  Triangle_mesh_status status = Triangle_mesh_status::VALID;
-  typename Traits::vertex_descriptor vertex = Traits::null_vertex();
-  typename Traits::halfedge_descriptor halfedge = Traits::null_halfedge();
-  typename Traits::face_descriptor face = Traits::null_face();
+  Triangle_mesh_status status = Triangle_mesh_status::VALID;               ///< what is wrong
+  typename Traits::vertex_descriptor vertex = Traits::null_vertex();       ///< the vertex that `status` is about
+  typename Traits::halfedge_descriptor halfedge = Traits::null_halfedge(); ///< the halfedge that `status` is about
+  typename Traits::face_descriptor face = Traits::null_face();             ///< the face that `status` is about
 
+  /// returns whether `status` tells of success.
   bool success() const { return status == Triangle_mesh_status::VALID; }
 };
 
@@ -171,6 +175,7 @@ Triangle_mesh_report<TriangleMesh> check_mesh_geometry(const TriangleMesh& mesh,
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesCrossField
 /// checks whether a mesh is what this package computes on: a closed triangle mesh whose vertices are manifold and whose
 /// edges and faces are not degenerate. Several connected components are allowed.
 ///
@@ -178,7 +183,27 @@ Triangle_mesh_report<TriangleMesh> check_mesh_geometry(const TriangleMesh& mesh,
 /// origin. Connectivity is judged first.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param mesh the mesh
-/// \param np named parameters: `vertex_point_map`; `geom_traits`; `border_is_allowed` (bool, default `false`)
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a geometric traits class}
+///     \cgalParamType{a model of `Kernel`}
+///     \cgalParamDefault{the kernel of the points, a new object}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{border_is_allowed}
+///     \cgalParamDescription{whether a mesh with border is valid}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return the first defect found, and the element that has it.
 /// Complexity: linear.
 template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>

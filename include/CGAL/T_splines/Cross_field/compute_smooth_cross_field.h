@@ -25,6 +25,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesCrossField
 /// How the computation of a smooth cross field ended.
 enum class Smooth_cross_field_status {
   COMPUTED,     ///< the field was written
@@ -32,6 +33,7 @@ enum class Smooth_cross_field_status {
   INTERRUPTED   ///< the visitor asked to stop; nothing was written
 };
 
+/// \ingroup PkgTSplinesCrossField
 /// returns one sentence that explains `status`.
 inline const char* message(const Smooth_cross_field_status status)
 {
@@ -43,18 +45,20 @@ inline const char* message(const Smooth_cross_field_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesCrossField
 /// What the computation of a smooth cross field did and how it ended.
 /// \tparam TriangleMesh a model of `FaceGraph`.
 template <typename TriangleMesh>
 struct Smooth_cross_field_report {
-  Smooth_cross_field_status status = Smooth_cross_field_status::COMPUTED;
-  Triangle_mesh_report<TriangleMesh> mesh;
+  Smooth_cross_field_status status = Smooth_cross_field_status::COMPUTED; ///< how it ended
+  Triangle_mesh_report<TriangleMesh> mesh;                                ///< the check of the mesh
   int number_of_singularities = 0;     ///< vertices, not on the border, with other than four quarter turns
   int number_of_repaired_vertices = 0; ///< where the smoothest cross would not have made a quarter turn
   double energy =
       0; ///< smallest eigenvalue of the connection Laplacian times the area, summed over the components without
          ///< constraints; dimensionless
 
+  /// returns whether `status` tells of success.
   bool success() const { return status == Smooth_cross_field_status::COMPUTED; }
 };
 
@@ -112,6 +116,7 @@ void write_matchings(const Mesh_indexing<TriangleMesh>& indexing, const Triangul
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesCrossField
 /// computes a smooth cross field with few singularities: a globally optimal direction field (Knoeppel, Crane, Pinkall,
 /// Schroeder, Globally optimal direction fields, 2013).
 ///
@@ -127,21 +132,63 @@ void write_matchings(const Mesh_indexing<TriangleMesh>& indexing, const Triangul
 ///         constructible from three `double`s
 /// \param mesh a triangle mesh, as `check_triangle_mesh()` demands, but it may have a border
 /// \param cross_field receives one of the four directions of the cross in each face, of length 1
-/// \param np named parameters:
-///        - `vertex_point_map`; `geom_traits`
-///        - `edge_is_constrained_map`: the crosses in the two faces of a marked edge get its direction. In a face with
-///          several marked edges they get the mean of their directions, or that of the longest one if they contradict each other.
-///          Around a vertex that would make no quarter turn, such as the middle of a circle, some give way.
-///        - `curvature_alignment` (double >= 0, default 0): how much the field follows the principal curvature
-///          directions (of Cohen-Steiner and Morvan's tensor). Features larger than the square root of area / w are followed for
-///          the value w; 100 is a good value, 0 does not follow any. It is -lambda, times the area, in the paper's section 5.
-///        - `number_of_iterations` (default 10): steps of diffusion and projection; 0 gives the paper's field itself.
-///          None are made in a guided field.
-///        - `random_seed` (default 0) of the start vector; equal seeds give equal fields
-///        - `halfedge_matching_map`: a read/write property map from halfedges to integers, which receives the matchings that
-///          `holonomy_signature_of_cross_field()` takes. Those by the closest rotation, which it makes itself, are the
-///          same, but for ties.
-///        - `visitor`: see `Progress_visitor`
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a geometric traits class}
+///     \cgalParamType{a model of `Kernel`}
+///     \cgalParamDefault{the kernel of the points, a new object}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{the edges that the field follows: the crosses in the two faces of a marked edge get its
+///       direction}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%edge_descriptor` ->
+///       `bool`}
+///     \cgalParamDefault{no edge is marked}
+///     \cgalParamExtra{In a face with several marked edges the cross gets the mean of their directions, or that of the
+///       longest one if they contradict each other. Around a vertex that would make no quarter turn, such as the middle
+///       of a circle, some give way.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{curvature_alignment}
+///     \cgalParamDescription{how much the field follows the principal curvature directions (of Cohen-Steiner and
+///       Morvan's tensor), a number w >= 0}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0: not at all}
+///     \cgalParamExtra{Features larger than the square root of area / w are followed; 100 is a good value. It is
+///       -lambda, times the area, in section 5 of the paper.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{the number of steps of diffusion and projection}
+///     \cgalParamType{an integer}
+///     \cgalParamDefault{10}
+///     \cgalParamExtra{0 gives the paper's field itself. None are made in a guided field.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{random_seed}
+///     \cgalParamDescription{of the start vector; equal seeds give equal fields}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{halfedge_matching_map}
+///     \cgalParamDescription{receives the matchings that `holonomy_signature_of_cross_field()` takes}
+///     \cgalParamType{a model of `ReadWritePropertyMap`, `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` ->
+///       an integer}
+///     \cgalParamDefault{none is written}
+///     \cgalParamExtra{Those by the closest rotation, which that function makes itself, are the same, but for ties.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// Complexity: O(n log n) for n faces, memory O(n): the systems are solved by algebraic multigrid, nothing is factorized.
 template <typename TriangleMesh, typename CrossFieldMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -75,6 +75,7 @@ void add_loops(const Closed_mesh<TriangleMesh>& mesh, const NamedParameters& np,
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesCrossField
 /// computes a holonomy signature with given cones.
 ///
 /// The numbers of the loops are those nearest to the turning of the loops in the metric of the mesh, unless they are given.
@@ -85,8 +86,28 @@ void add_loops(const Closed_mesh<TriangleMesh>& mesh, const NamedParameters& np,
 /// \param cones the cones; for each connected component, 4 - k sums up to four times its Euler characteristic
 /// \param signature is cleared and filled with the cones and 2g short loops per component; its contents are meaningful
 ///        upon success, its loops also with the status WRONG_NUMBER_OF_TURNS
-/// \param np named parameters: `vertex_point_map`; `geom_traits`; `loop_turning_numbers`: a range of integers, one
-///        for each loop. The loops of a mesh are always the same, and in the same order.
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a geometric traits class}
+///     \cgalParamType{a model of `Kernel`}
+///     \cgalParamDefault{the kernel of the points, a new object}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{loop_turning_numbers}
+///     \cgalParamDescription{the numbers of the loops}
+///     \cgalParamType{a range of integers, one for each loop}
+///     \cgalParamDefault{those nearest to the turning of the loops in the metric of the mesh}
+///     \cgalParamExtra{The loops of a mesh are always the same, and in the same order.}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return the status INVALID_MESH, NULL_VERTEX, DUPLICATE_CONE, NON_POSITIVE_CONE, GAUSS_BONNET_VIOLATED,
 ///         WRONG_NUMBER_OF_TURNS or VALID.
 /// Complexity: O(n log n) in the number of faces.

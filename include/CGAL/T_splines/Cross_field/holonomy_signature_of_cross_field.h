@@ -69,6 +69,7 @@ void signature_of_rotations(const Closed_mesh<TriangleMesh>& mesh, const std::ve
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesCrossField
 /// computes the holonomy signature of a cross field: how often the crosses turn around each vertex and along 2g short loops that
 /// generate the homology of each connected component.
 ///
@@ -81,10 +82,30 @@ void signature_of_rotations(const Closed_mesh<TriangleMesh>& mesh, const std::ve
 /// \param cross_field one of the four directions of the cross in each face; its length and its component normal to the
 ///        face do not matter
 /// \param signature is cleared and filled; its contents are meaningful only upon success
-/// \param np named parameters: `vertex_point_map`; `geom_traits`; `halfedge_matching_map`: a readable property map from
-///        halfedges to integers that gives, for the halfedge `h = halfedge(e, mesh)` of each edge `e`, the number m of quarter turns
-///        such that the direction in the face of `opposite(h)` corresponds to the one in the face of `h` turned
-///        counter-clockwise by m pi/2; it decides where the closest rotation would be another
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a geometric traits class}
+///     \cgalParamType{a model of `Kernel`}
+///     \cgalParamDefault{the kernel of the points, a new object}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{halfedge_matching_map}
+///     \cgalParamDescription{for the halfedge `h = halfedge(e, mesh)` of each edge `e`, the number m of quarter turns
+///       such that the direction in the face of `opposite(h)` corresponds to the one in the face of `h` turned
+///       counter-clockwise by m pi/2; it decides where the closest rotation would be another}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` -> an
+///       integer}
+///     \cgalParamDefault{none: the closest rotation decides}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return the status INVALID_MESH, INVALID_FIELD, VERTEX_NOT_INTEGER, LOOP_NOT_INTEGER, NON_POSITIVE_CONE (a field that turns
 ///         by a full turn or more at a vertex), GAUSS_BONNET_VIOLATED (impossible without given matchings) or VALID.
 /// Complexity: O(n log n) in the number of faces.

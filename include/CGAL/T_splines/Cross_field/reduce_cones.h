@@ -127,6 +127,7 @@ void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& ener
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesCrossField
 /// merges cones of a holonomy signature, so that few are left: each extraordinary vertex costs a T-spline rings of
 /// control points.
 ///
@@ -151,17 +152,47 @@ void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& ener
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param mesh a closed triangle mesh, of one or more components
 /// \param signature an admissible signature of `mesh`; it is changed if the status is REDUCED or LIMIT_UNREACHABLE
-/// \param np named parameters:
-///        - `vertex_point_map`; `geom_traits`
-///        - `maximum_energy_change` (`std::optional<double>`, default 6 for components of genus 0, 3 for genus 1, 4 for
-///          others): merges go on as long as the next one raises the energy by at most this much. It depends neither on
-///          the size nor, much, on the resolution of the mesh. With 0 only those cones are merged that do more harm than
-///          good. The default is minus infinity if `maximum_number_of_cones` is given.
-///        - `maximum_number_of_cones` (`std::optional<int>`, default no limit): merges go on until at most so many cones
-///          are left in the whole mesh, whatever they cost. With `maximum_energy_change` they go on beyond that as long
-///          as they are cheap. A component of genus 0 needs three cones, one of genus 1 none, others one.
-///        - `sparse_linear_solver`: a model of `SparseSpdSolverTraits` with `FT = double`
-///        - `visitor`: see `Progress_visitor`
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a geometric traits class}
+///     \cgalParamType{a model of `Kernel`}
+///     \cgalParamDefault{the kernel of the points, a new object}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_energy_change}
+///     \cgalParamDescription{merges go on as long as the next one raises the energy by at most this much}
+///     \cgalParamType{`std::optional<double>`}
+///     \cgalParamDefault{6 for components of genus 0, 3 for genus 1, 4 for others; minus infinity if
+///       `maximum_number_of_cones` is given}
+///     \cgalParamExtra{It depends neither on the size nor, much, on the resolution of the mesh. With 0 only those cones
+///       are merged that do more harm than good.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number_of_cones}
+///     \cgalParamDescription{merges go on until at most so many cones are left in the whole mesh, whatever they cost}
+///     \cgalParamType{`std::optional<int>`}
+///     \cgalParamDefault{no limit}
+///     \cgalParamExtra{With `maximum_energy_change` they go on beyond that as long as they are cheap. A component of
+///       genus 0 needs three cones, one of genus 1 none, others one.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{sparse_linear_solver}
+///     \cgalParamDescription{the solver for the linear systems}
+///     \cgalParamType{a model of `SparseSpdSolverTraits` with `FT = double`, or `std::ref()` of one}
+///     \cgalParamDefault{`Default_spd_solver_traits`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return what was done. Equal input gives equal results.
 /// Complexity: with m cones, and if some are to be split up to 400 vertices more, a sparse factorization of one row per
 /// vertex and m + 2g + 1 solves, O(m^2) numbers of memory, O(m^2) per merge, and if g > 0 at most two searches of

@@ -12,6 +12,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesIO
 /// How the reading of a mesh file ended.
 enum class Mesh_reading_status {
   SUCCESS,                  ///< the mesh was read
@@ -38,6 +39,7 @@ enum class Mesh_reading_status {
   MISSING_UV                ///< a corner of a face has no texture coordinates (maps only)
 };
 
+/// \ingroup PkgTSplinesIO
 /// returns one sentence that explains `status`.
 inline const char* message(const Mesh_reading_status status)
 {
@@ -71,11 +73,13 @@ inline const char* message(const Mesh_reading_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesIO
 /// The default distance up to which ends of boundary edges are taken for the same point, relative to the longest side of
 /// the bounding box: eight units in the last place of a coordinate of that size in a file with `float` numbers, and far
 /// below what the tolerance of a surface is.
 constexpr double default_merge_distance = 1e-6;
 
+/// \ingroup PkgTSplinesIO
 /// What a repair changed.
 struct Mesh_repairs {
   std::size_t degenerate_faces = 0;  ///< with less than three different corners: removed
@@ -87,6 +91,7 @@ struct Mesh_repairs {
   std::size_t flat_triangles = 0;    ///< of area exactly zero: removed by flips and collapses of edges
 };
 
+/// \ingroup PkgTSplinesIO
 /// How the reading of a mesh file ended, and which element of the file it is about.
 ///
 /// All elements are counted from 0 in the order of the file (those of an OBJ file too), only lines from 1.
@@ -94,31 +99,33 @@ struct Mesh_reading_report {
   /// what an element is when it is not meant.
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  Mesh_reading_status status = Mesh_reading_status::SUCCESS;
-  std::size_t line = none;         ///< in files made of text
-  std::size_t vertex = none;       ///< a vertex, or the source of an edge
-  std::size_t other_vertex = none; ///< the target of an edge
-  std::size_t face = none;         ///< a face of the file
-  std::size_t other_face = none;   ///< another face of the file
-  std::string text;                ///< what stands in the file at this place
-  std::string detail;              ///< what the format asks for at this place, where that is not clear from the status
+  Mesh_reading_status status = Mesh_reading_status::SUCCESS; ///< how it ended
+  std::size_t line = none;                                   ///< in files made of text
+  std::size_t vertex = none;                                 ///< a vertex, or the source of an edge
+  std::size_t other_vertex = none;                           ///< the target of an edge
+  std::size_t face = none;                                   ///< a face of the file
+  std::size_t other_face = none;                             ///< another face of the file
+  std::string text;                                          ///< what stands in the file at this place
+  std::string detail; ///< what the format asks for at this place, where that is not clear from the status
 
   std::size_t number_of_vertices = 0;           ///< of the file (STL: after merging)
   std::size_t number_of_faces = 0;              ///< of the file
   std::size_t number_of_triangulated_faces = 0; ///< faces with more than three corners
-  std::size_t first_triangulated_face = none;
-  std::size_t number_of_merged_points = 0;   ///< STL: corners whose point had occurred before
-  std::size_t number_of_merged_vertices = 0; ///< that differed by no more than a `merge_distance` from others
+  std::size_t first_triangulated_face = none;   ///< the first of them
+  std::size_t number_of_merged_points = 0;      ///< STL: corners whose point had occurred before
+  std::size_t number_of_merged_vertices = 0;    ///< that differed by no more than a `merge_distance` from others
   double merged_distance =
-      0; ///< between a vertex and the one it was merged into, at most; by the longest side of the box
-  Mesh_repairs repairs;
+      0;                ///< between a vertex and the one it was merged into, at most; by the longest side of the box
+  Mesh_repairs repairs; ///< what a repair changed
   std::size_t number_of_trailing_bytes = 0; ///< binary STL: bytes behind the last facet, which were not read
 
   // What the reader found out about a mesh that it refused.
-  std::size_t number_of_boundary_edges = 0, number_of_boundary_loops = 0; ///< with the status `BOUNDARY`
-  std::optional<double> closing_distance; ///< a `merge_distance` with which the mesh would have been accepted
-  bool is_repairable = false;             ///< it would have been accepted with `repair(true)`
+  std::size_t number_of_boundary_edges = 0, ///< with the status `BOUNDARY`
+      number_of_boundary_loops = 0;         ///< with the status `BOUNDARY`
+  std::optional<double> closing_distance;   ///< a `merge_distance` with which the mesh would have been accepted
+  bool is_repairable = false;               ///< it would have been accepted with `repair(true)`
 
+  /// returns whether `status` tells of success.
   bool success() const { return status == Mesh_reading_status::SUCCESS; }
 };
 
@@ -198,6 +205,7 @@ inline std::string repairs_of(const Mesh_repairs& repairs)
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesIO
 /// returns a sentence that says how the reading ended and names the line and the elements it is about.
 inline std::string describe(const Mesh_reading_report& report)
 {
@@ -217,6 +225,7 @@ inline std::string describe(const Mesh_reading_report& report)
   return sentence;
 }
 
+/// \ingroup PkgTSplinesIO
 /// returns what the reader changed in a mesh that it accepted, as one sentence, or nothing if the mesh is as in the file.
 inline std::string note(const Mesh_reading_report& report)
 {

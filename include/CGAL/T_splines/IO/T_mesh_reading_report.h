@@ -12,6 +12,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesIO
 /// How the reading of a T-mesh file ended.
 enum class T_mesh_reading_status {
   SUCCESS,                 ///< the T-mesh was read
@@ -34,6 +35,7 @@ enum class T_mesh_reading_status {
   CYCLE_CONDITION          ///< the ratios of the knot intervals around a vertex do not multiply to one
 };
 
+/// \ingroup PkgTSplinesIO
 /// returns one sentence that explains `status`.
 inline const char* message(const T_mesh_reading_status status)
 {
@@ -64,6 +66,7 @@ inline const char* message(const T_mesh_reading_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesIO
 /// How the reading of a T-mesh file ended, and which element of the file it is about.
 ///
 /// All elements are counted from 0 in the order of the file, only lines from 1.
@@ -71,21 +74,23 @@ struct T_mesh_reading_report {
   /// what an element is when it is not meant.
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  T_mesh_reading_status status = T_mesh_reading_status::SUCCESS;
-  std::size_t line = none;
-  std::size_t vertex = none;
-  std::size_t face = none;
-  std::size_t index = none; ///< a position in the lists of `face`
-  double defect = 0;        ///< of knots that are not admissible: the relative difference, or the deviation from one
-  std::string text;         ///< what stands in the file at this place
-  std::string detail;       ///< what is wrong, or asked for, where that is not clear from the status
+  T_mesh_reading_status status = T_mesh_reading_status::SUCCESS; ///< how it ended
+  std::size_t line = none;                                       ///< of the file, counted from 1
+  std::size_t vertex = none;                                     ///< of the file
+  std::size_t face = none;                                       ///< of the file
+  std::size_t index = none;                                      ///< a position in the lists of `face`
+  double defect = 0;  ///< of knots that are not admissible: the relative difference, or the deviation from one
+  std::string text;   ///< what stands in the file at this place
+  std::string detail; ///< what is wrong, or asked for, where that is not clear from the status
 
   std::size_t number_of_vertices = 0; ///< of the file
   std::size_t number_of_faces = 0;    ///< of the file
 
+  /// returns whether `status` tells of success.
   bool success() const { return status == T_mesh_reading_status::SUCCESS; }
 };
 
+/// \ingroup PkgTSplinesIO
 /// returns a sentence that says how the reading ended and names the line and the elements it is about.
 inline std::string describe(const T_mesh_reading_report& report)
 {

@@ -71,6 +71,7 @@ bool is_seam(const typename boost::graph_traits<FaceGraph>::halfedge_descriptor 
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesIO
 /// reads a triangle mesh with uv per corner from an OBJ file: what `write_map_obj()` writes, or the map of another program.
 ///
 /// It is as strict as `read_triangle_mesh()`, but surfaces with boundary are accepted, and no vertices are merged. Faces with more than three corners are
@@ -81,8 +82,24 @@ bool is_seam(const typename boost::graph_traits<FaceGraph>::halfedge_descriptor 
 /// \param filename a file with the extension `.obj`
 /// \param mesh an empty mesh that receives vertices and faces in the order of the file; untouched if the file is refused
 /// \param uv_map receives for each halfedge the uv of its *target* on its *face*; not written on border halfedges
-/// \param np optional: `vertex_point_map`; `edge_is_cut_map` (edge -> bool, writable) receives `true` for the seams, the
-///   inner edges whose two faces give different uv to one of their ends, bit by bit, and `false` for all others
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{receives the points of `mesh`}
+///     \cgalParamType{a model of `WritablePropertyMap`, `boost::graph_traits<MutableFaceGraph>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_cut_map}
+///     \cgalParamDescription{receives `true` for the seams, the inner edges whose two faces give different uv to one of
+///       their ends, bit by bit, and `false` for all others}
+///     \cgalParamType{a model of `WritablePropertyMap`, `boost::graph_traits<MutableFaceGraph>::%edge_descriptor` ->
+///       `bool`}
+///     \cgalParamDefault{none is written}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return how it ended. Complexity: O(n log n) in the size of the file.
 template <typename MutableFaceGraph, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -69,6 +69,7 @@ T_mesh_reading_report read_t_mesh_text(const std::string_view content, TMesh& t_
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesIO
 /// reads a T-mesh with halfedge knots from a PLY file made of text, in the format that `write_t_mesh()` describes,
 /// and refuses, naming line and element, everything that is not an admissible T-mesh ([CZ17] section 4).
 ///
@@ -84,8 +85,26 @@ T_mesh_reading_report read_t_mesh_text(const std::string_view content, TMesh& t_
 ///   `T_spline` for instance; its knots are made from doubles
 /// \param in the content of the file; it is read to the end
 /// \param t_mesh empty; untouched if the file is refused. Knots and corners are not written on border halfedges
-/// \param np optional: `vertex_point_map`: receives the control points; `vertex_weight_map` (vertex -> number,
-///   writable; default: that of a `T_spline`): receives their weights; `relative_tolerance` (1e-9)
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{receives the control points}
+///     \cgalParamType{a model of `WritablePropertyMap`, vertex of the T-mesh -> `%Point_3`}
+///     \cgalParamDefault{the map of the graph for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_weight_map}
+///     \cgalParamDescription{receives the weights of the control points}
+///     \cgalParamType{a model of `WritablePropertyMap`, vertex of the T-mesh -> number}
+///     \cgalParamDefault{that of a `T_spline`; of others, the weights are not written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{relative_tolerance}
+///     \cgalParamDescription{as for `is_admissible()`}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1e-9}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return how it ended. Complexity: linear in the size of the file.
 template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 T_mesh_reading_report read_t_mesh(std::istream& in, TMesh&& t_mesh,
@@ -101,6 +120,7 @@ T_mesh_reading_report read_t_mesh(std::istream& in, TMesh&& t_mesh,
   return report;
 }
 
+/// \ingroup PkgTSplinesIO
 /// reads a T-mesh with halfedge knots from a PLY file.
 ///
 /// \param filename a file; its extension does not matter

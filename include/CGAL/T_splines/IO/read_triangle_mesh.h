@@ -17,6 +17,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesIO
 /// reads a closed oriented triangle mesh from an OFF, OBJ, PLY or STL file and refuses, naming line and element,
 /// everything that the algorithms of this package cannot use.
 ///
@@ -50,9 +51,28 @@ namespace T_splines {
 /// \tparam NamedParameters a sequence of named parameters
 /// \param filename a file whose extension, in any case, says what it is
 /// \param mesh the mesh to which the triangles are appended; untouched if the file is refused
-/// \param np optional: `vertex_point_map`, writable, values constructible from three doubles; `merge_distance` (`double`,
-///   `default_merge_distance`), up to which ends of edges coincide, relative to the longest side of the bounding box:
-///   0 merges what coincides exactly, a negative number nothing (in a repair, as 0); `repair` (`bool`, `false`)
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{receives the points of `mesh`}
+///     \cgalParamType{a model of `WritablePropertyMap`, `boost::graph_traits<MutableFaceGraph>::%vertex_descriptor` ->
+///       a point that is constructible from three `double`s}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{merge_distance}
+///     \cgalParamDescription{up to which ends of edges coincide, relative to the longest side of the bounding box}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`default_merge_distance`}
+///     \cgalParamExtra{0 merges what coincides exactly, a negative number nothing (in a repair, as 0).}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{repair}
+///     \cgalParamDescription{whether the mesh is repaired, as said above}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return how it ended; never throws but for lack of memory. Complexity: O(n log n) in the size of the file.
 template <typename MutableFaceGraph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Mesh_reading_report read_triangle_mesh(const std::string& filename, MutableFaceGraph& mesh,

@@ -48,6 +48,7 @@ void format_map_obj(Sink& sink, const FaceGraph& mesh, const HalfedgeUVMap uv_ma
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesIO
 /// writes a mesh with uv per corner to an OBJ file: `v` in the order in which the mesh lists its vertices, one `vt` per
 /// distinct uv of a vertex (shared by the corners of a chart), `f` with `v/vt`.
 ///
@@ -60,7 +61,17 @@ void format_map_obj(Sink& sink, const FaceGraph& mesh, const HalfedgeUVMap uv_ma
 /// \param filename where to write; a file that is there is replaced
 /// \param mesh the refined mesh
 /// \param uv_map finite coordinates
-/// \param np optional: `vertex_point_map`
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<FaceGraph>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return the error of the operating system; converts to `false` if the file was written. Complexity: linear.
 template <typename FaceGraph, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -145,6 +145,7 @@ void format_t_mesh(Sink& sink, const TMesh& t_mesh, const NamedParameters& np)
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesIO
 /// writes a T-mesh with halfedge knots ([CZ17] section 4) to a stream, as a PLY file made of text that
 /// `read_t_mesh()` reads; programs that know polygons but no T-meshes read its faces as polygons.
 ///
@@ -166,8 +167,21 @@ void format_t_mesh(Sink& sink, const TMesh& t_mesh, const NamedParameters& np)
 /// \tparam TMesh a model of `TMesh` whose graph is one of `FaceListGraph` and `HalfedgeListGraph`, a `T_spline` for
 ///   instance
 /// \param out receives the file
-/// \param np optional: `vertex_point_map`: the control points; `vertex_weight_map` (vertex -> positive number): their
-///   weights (default: those of a `T_spline`, 1 for others)
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the control points}
+///     \cgalParamType{a model of `ReadablePropertyMap`, vertex of the T-mesh -> `%Point_3`}
+///     \cgalParamDefault{the map of the graph for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_weight_map}
+///     \cgalParamDescription{the weights of the control points}
+///     \cgalParamType{a model of `ReadablePropertyMap`, vertex of the T-mesh -> positive number}
+///     \cgalParamDefault{that of a `T_spline`, 1 for others}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return `std::io_errc::stream` if the stream failed; converts to `false` if all was written. Complexity: linear.
 template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 std::error_code write_t_mesh(std::ostream& out, const TMesh& t_mesh,
@@ -180,6 +194,7 @@ std::error_code write_t_mesh(std::ostream& out, const TMesh& t_mesh,
   return out.good() ? std::error_code() : std::make_error_code(std::io_errc::stream);
 }
 
+/// \ingroup PkgTSplinesIO
 /// writes a T-mesh with halfedge knots to a PLY file.
 ///
 /// The file appears under its name only when it is complete and on the disk; if anything fails, nothing is left

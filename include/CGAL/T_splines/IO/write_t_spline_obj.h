@@ -45,6 +45,7 @@ void format_t_spline_obj(Sink& sink, const Surface& surface, const int resolutio
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesIO
 /// writes a T-spline surface to an OBJ file, as triangles with the normals of the surface (`v`, `vn`, `f v//vn`),
 /// without cracks.
 ///

@@ -104,6 +104,7 @@ void format_t_spline_vtu(Sink& sink, const CompiledTSpline& surface)
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesIO
 /// writes a compiled T-spline surface to a stream, as an unstructured grid of VTK (XML, `.vtu`): one rational bicubic
 /// `VTK_BEZIER_QUADRILATERAL` per patch, which VTK 9 and ParaView draw as curved surfaces.
 ///
@@ -123,6 +124,7 @@ std::error_code write_t_spline_vtu(std::ostream& out, const CompiledTSpline& sur
   return out.good() ? std::error_code() : std::make_error_code(std::io_errc::stream);
 }
 
+/// \ingroup PkgTSplinesIO
 /// writes a compiled T-spline surface to a file of VTK, as the function that writes to a stream.
 ///
 /// The file appears under its name only when it is complete and on the disk; if anything fails, nothing is left behind.

@@ -13,6 +13,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSimilarityMap
 /// How `make_exactly_seamless()` ended.
 enum class Exact_map_status {
   EXACT,                  ///< the map is exactly seamless and its triangles are exactly positively oriented
@@ -29,6 +30,7 @@ enum class Exact_map_status {
   ORIENTATION_LOST        ///< with exact transitions, `faces` are not positively oriented
 };
 
+/// \ingroup PkgTSplinesSimilarityMap
 /// returns one sentence that explains `status`.
 inline const char* message(const Exact_map_status status)
 {
@@ -49,26 +51,27 @@ inline const char* message(const Exact_map_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesSimilarityMap
 /// What `make_exactly_seamless()` did and how it ended. Descriptors that `status` does not mention are null.
 /// \tparam TriangleMesh a model of `HalfedgeGraph`.
 template <typename TriangleMesh>
 struct Exact_map_report {
   using Traits = boost::graph_traits<TriangleMesh>;
 
-  Exact_map_status status = Exact_map_status::INVALID_MESH;
+  Exact_map_status status = Exact_map_status::INVALID_MESH; ///< how it ended
 
   Triangle_mesh_report<TriangleMesh> mesh; ///< INVALID_MESH: what is wrong with its connectivity
-  typename Traits::vertex_descriptor vertex = Traits::null_vertex();
-  typename Traits::halfedge_descriptor halfedge = Traits::null_halfedge();
-  std::vector<typename Traits::face_descriptor> faces; ///< in the order of the mesh
+  typename Traits::vertex_descriptor vertex = Traits::null_vertex();       ///< the vertex that `status` is about
+  typename Traits::halfedge_descriptor halfedge = Traits::null_halfedge(); ///< the halfedge that `status` is about
+  std::vector<typename Traits::face_descriptor> faces;                     ///< in the order of the mesh
 
   /// By how much the element that `status` names is off, in the unit that `status` says. For a transition, relative to
   /// the largest coordinate on its branch. If the map is exact, the largest deviation of a corner from the transition
   /// fitted to its branch.
   double deviation = 0;
 
-  int number_of_cut_edges = 0;
-  int number_of_branches = 0;
+  int number_of_cut_edges = 0;          ///< edges whose two charts differ
+  int number_of_branches = 0;           ///< paths of cut edges with one transition
   int number_of_cones = 0;              ///< vertices whose quarter turns are not 4, on the border not 2
   int number_of_determined_corners = 0; ///< pairs of a vertex and a chart whose coordinates are not doubles
   bool is_isometric = true;             ///< all scale factors are exactly 1
@@ -80,6 +83,7 @@ struct Exact_map_report {
                                       ///< turn over, do not allow more
   double largest_gap = 0; ///< from a joined line to its cone before, by the longest side of the triangle there
 
+  /// returns whether `status` tells of success.
   bool success() const { return status == Exact_map_status::EXACT; }
 };
 

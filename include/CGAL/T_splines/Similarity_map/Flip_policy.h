@@ -7,6 +7,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSimilarityMap
 /// Flip policy of the similarity map: ideal Delaunay flips, the default.
 ///
 /// After each trial step, edges are flipped until all are Delaunay in the scaled metric, with Ptolemy's formula on the
@@ -15,6 +16,7 @@ namespace T_splines {
 /// Discrete conformal equivalence of polyhedral surfaces, 2021).
 struct Ideal_delaunay_flips {};
 
+/// \ingroup PkgTSplinesSimilarityMap
 /// Flip policy of the similarity map: the degeneracy flips of [CZ17] section 7.3.
 ///
 /// A step ends where the first triangle degenerates; the longest edge of each degenerate triangle is flipped there. The

@@ -17,6 +17,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSimilarityMap
 /// A seamless similarity map of a triangle mesh with exact transitions ([CZ17] sections 2.1 and 5).
 ///
 /// Across each edge the corners of the two faces are related by a similarity, to the last bit if `FT` is exact; around
@@ -30,14 +31,15 @@ class Seamless_map {
   using Traits = boost::graph_traits<TriangleMesh>;
 
 public:
-  using FT = FT_;
-  using vertex_descriptor = typename Traits::vertex_descriptor;
-  using halfedge_descriptor = typename Traits::halfedge_descriptor;
-  using edge_descriptor = typename Traits::edge_descriptor;
+  using FT = FT_;                                                   ///< number type of the coordinates
+  using vertex_descriptor = typename Traits::vertex_descriptor;     ///< a vertex of the mesh
+  using halfedge_descriptor = typename Traits::halfedge_descriptor; ///< a halfedge of the mesh
+  using edge_descriptor = typename Traits::edge_descriptor;         ///< an edge of the mesh
 
   /// The layout is empty: to be filled by `make_exactly_seamless()`.
   explicit Seamless_map(const TriangleMesh& mesh) : m_indexing(mesh) {}
 
+  /// returns the mesh that is mapped.
   const TriangleMesh& mesh() const { return m_indexing.graph(); }
 
   /// returns the coordinates of the target of `h` in the chart of its face. \pre `h` is not a border halfedge
@@ -67,10 +69,12 @@ public:
   /// border the angle of the corner, 2 at a regular vertex.
   int quarter_turns(const vertex_descriptor v) const { return m_layout.quarter_turns(m_indexing.vertex_index(v)); }
 
+  /// \cond INTERNAL
   // For the algorithms of this package.
   const internal::Mesh_indexing<TriangleMesh>& indexing() const { return m_indexing; }
   const internal::Seamless_layout<FT>& layout() const { return m_layout; }
   void set_layout(internal::Seamless_layout<FT> layout) { m_layout = std::move(layout); }
+  /// \endcond
 
 private:
   internal::Mesh_indexing<TriangleMesh> m_indexing;

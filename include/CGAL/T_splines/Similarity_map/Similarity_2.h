@@ -11,6 +11,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSimilarityMap
 /// The similarity x -> s R^r x + t of the plane, R the counter-clockwise rotation by a quarter turn: the transition
 /// between two charts of a seamless similarity map ([CZ17] section 2.1).
 ///
@@ -19,7 +20,7 @@ namespace T_splines {
 template <typename FT_>
 class Similarity_2 {
 public:
-  using FT = FT_;
+  using FT = FT_; ///< number type of the coefficients
 
   /// The identity.
   Similarity_2() : Similarity_2(0, FT(1), FT(0), FT(0)) {}
@@ -68,12 +69,15 @@ public:
     return result;
   }
 
+  /// returns whether the map moves no point.
   bool is_identity() const { return m_quarter_turns == 0 && m_scale == FT(1) && m_u == FT(0) && m_v == FT(0); }
 
+  /// returns whether both maps have equal coefficients.
   friend bool operator==(const Similarity_2& a, const Similarity_2& b)
   {
     return a.m_quarter_turns == b.m_quarter_turns && a.m_scale == b.m_scale && a.m_u == b.m_u && a.m_v == b.m_v;
   }
+  /// returns whether a coefficient differs.
   friend bool operator!=(const Similarity_2& a, const Similarity_2& b) { return !(a == b); }
 
   /// returns the map "first `b`, then `a`".

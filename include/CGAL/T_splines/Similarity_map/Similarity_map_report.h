@@ -14,6 +14,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSimilarityMap
 /// How the computation of a similarity map ended.
 enum class Similarity_map_status {
   CONVERGED,    ///< the residual is within the tolerance at every vertex and loop; everything asked for was written
@@ -28,6 +29,7 @@ enum class Similarity_map_status {
   INTERRUPTED            ///< the visitor asked to stop
 };
 
+/// \ingroup PkgTSplinesSimilarityMap
 /// returns one sentence that explains `status`.
 inline const char* message(const Similarity_map_status status)
 {
@@ -48,17 +50,18 @@ inline const char* message(const Similarity_map_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesSimilarityMap
 /// What the computation of a similarity map did and how it ended.
 /// \tparam TriangleMesh a model of `HalfedgeGraph`.
 template <typename TriangleMesh>
 struct Similarity_map_report {
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor; ///< a vertex of the mesh
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;     ///< a face of the mesh
 
   /// `loop` when no loop is meant.
   static constexpr std::size_t no_loop = static_cast<std::size_t>(-1);
 
-  Similarity_map_status status = Similarity_map_status::STALLED;
+  Similarity_map_status status = Similarity_map_status::STALLED; ///< how it ended
 
   Holonomy_signature_report<TriangleMesh> signature; ///< the check of the input
 
@@ -77,10 +80,12 @@ struct Similarity_map_report {
   std::size_t loop = no_loop;                           ///< where the residual is largest, if at a loop
   face_descriptor face = boost::graph_traits<TriangleMesh>::
       null_face(); ///< LAYOUT_FAILED: the input face that contains a triangle which is not positively oriented
-  /// If the residual stayed large: of the scanned short loops, the one closest to its limit has this logarithm of a scale
-  /// factor, and this hyperbolic length, which must stay larger in absolute value.
-  double scale_period = 0, hyperbolic_length = 0;
+  /// If the residual stayed large: the logarithm of the scale factor along that one of the scanned short loops that is
+  /// closest to its limit.
+  double scale_period = 0,
+         hyperbolic_length = 0; ///< of the same loop; it must stay larger than the absolute value of `scale_period`
 
+  /// returns whether `status` tells of success.
   bool success() const { return status == Similarity_map_status::CONVERGED; }
 };
 

@@ -18,6 +18,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSimilarityMap
 /// A flat metric with cones, up to similarity, on an intrinsic triangulation with the vertices of a mesh.
 ///
 /// The triangulation is given in indices and may be non-simple: edges may join a vertex to itself, and several edges
@@ -29,14 +30,17 @@ namespace T_splines {
 template <typename TriangleMesh, typename FT_ = double>
 class Similarity_metric {
 public:
-  using FT = FT_;
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using FT = FT_;                                                                          ///< number type
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor; ///< a vertex of the mesh
 
   Similarity_metric() = default;
 
+  /// is made by `compute_similarity_metric()`.
+  /// \param connectivity the triangulation
   /// \param vertices the mesh's vertices by index
   /// \param log_length per edge
   /// \param form xi of the halfedge 2e, per edge e
+  /// \param log_scale phi per vertex, by index
   Similarity_metric(internal::Triangulation_connectivity connectivity, std::vector<vertex_descriptor> vertices,
                     std::vector<FT> log_length, std::vector<FT> form, std::vector<FT> log_scale)
     : m_mesh(std::move(connectivity)),
@@ -47,8 +51,11 @@ public:
   {
   }
 
+  /// returns the number of vertices of the mesh.
   int number_of_vertices() const { return m_mesh.number_of_vertices(); }
+  /// returns the number of edges of the triangulation.
   int number_of_edges() const { return m_mesh.number_of_edges(); }
+  /// returns the number of triangles.
   int number_of_faces() const { return m_mesh.number_of_faces(); }
 
   int opposite(const int h) const { return h ^ 1; }      ///< the other halfedge of the edge of `h`

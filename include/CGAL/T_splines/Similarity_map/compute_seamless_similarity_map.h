@@ -15,6 +15,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSimilarityMap
 /// computes a seamless similarity map of a closed triangle mesh with a prescribed holonomy signature ([CZ17] sections
 /// 2.1, 6, 7).
 ///
@@ -31,13 +32,79 @@ namespace T_splines {
 /// \param refined the refinement; its vertices are those of `mesh`, in their order and with their points, and then
 ///        those added. It is written only if the status is CONVERGED. \pre It is empty
 /// \param uv_map the coordinates of the target of a halfedge in the chart of its face
-/// \param np named parameters: those of `compute_similarity_metric()`, and
-///   `T_splines::parameters::output_vertex_point_map`: points of `refined` (default: its internal map);
-///   `T_splines::parameters::vertex_location_map`: vertex of `refined` ->
-///   `Polygon_mesh_processing::Face_location<TriangleMesh, double>`, its place on `mesh`;
-///   `T_splines::parameters::edge_is_cut_map`: edge of `refined` -> bool;
-///   `T_splines::parameters::halfedge_transition_map`: halfedge of `refined` -> `Similarity_2<double>`, the transition
-///     from the chart of its face to that of its opposite's face, the identity off the cut.
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a geometric traits class}
+///     \cgalParamType{a model of `Kernel`}
+///     \cgalParamDefault{the kernel of the points, a new object}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{residual_tolerance}
+///     \cgalParamDescription{the largest deviation from the signature that is allowed, in radians, over all vertices
+///       and loops}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1e-12}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{the largest number of steps of Newton's method}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{100}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{flip_policy}
+///     \cgalParamDescription{how the triangulation follows the metric}
+///     \cgalParamType{a model of `FlipPolicy`: `Ideal_delaunay_flips` or `Degeneracy_flips`}
+///     \cgalParamDefault{`Ideal_delaunay_flips()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_type}
+///     \cgalParamDescription{the number type to compute in; the value does not matter}
+///     \cgalParamType{a floating-point type, built in or of Boost.Multiprecision}
+///     \cgalParamDefault{`double`}
+///     \cgalParamExtra{Wider types follow where `double` comes to a floor above the tolerance or stalls: the status is
+///       not CONVERGED before the tolerance is met.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{sparse_linear_solver}
+///     \cgalParamDescription{the solver for the linear systems}
+///     \cgalParamType{a model of `SparseSpdSolverTraits` with `FT = double`, or `std::ref()` of one}
+///     \cgalParamDefault{`Default_spd_solver_traits`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{output_vertex_point_map}
+///     \cgalParamDescription{receives the points of `refined`}
+///     \cgalParamType{a model of `WritablePropertyMap`, `boost::graph_traits<RefinedMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `refined` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_location_map}
+///     \cgalParamDescription{receives where each vertex of `refined` lies on `mesh`}
+///     \cgalParamType{a model of `WritablePropertyMap`, `boost::graph_traits<RefinedMesh>::%vertex_descriptor` ->
+///       `Polygon_mesh_processing::Face_location<TriangleMesh, double>`}
+///     \cgalParamDefault{none is written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_cut_map}
+///     \cgalParamDescription{receives whether the charts of the two faces of an edge differ}
+///     \cgalParamType{a model of `WritablePropertyMap`, `boost::graph_traits<RefinedMesh>::%edge_descriptor` -> `bool`}
+///     \cgalParamDefault{none is written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{halfedge_transition_map}
+///     \cgalParamDescription{receives the transition from the chart of the face of a halfedge to that of its opposite's
+///       face, the identity off the cut}
+///     \cgalParamType{a model of `WritablePropertyMap`, `boost::graph_traits<RefinedMesh>::%halfedge_descriptor` ->
+///       `Similarity_2<double>`}
+///     \cgalParamDefault{none is written}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return what was done; the status LAYOUT_FAILED tells that the metric converged, but could not be laid out in any number
 /// type: its sizes are too far apart for one plane in `double`; SUBDIVISION_TOO_LARGE, that the refinement would have more
 /// than 250000 vertices plus twenty times those of `mesh`, which has long thin triangles. Complexity: that of the metric, and linear in the size of the refinement.

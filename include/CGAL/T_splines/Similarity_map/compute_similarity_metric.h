@@ -12,6 +12,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSimilarityMap
 /// computes the flat metric with cones that is discretely conformal to a closed triangle mesh and has a prescribed
 /// holonomy signature, without laying it out: the angle at each vertex is k_v pi/2, the turning of each loop k pi/2.
 ///
@@ -22,14 +23,55 @@ namespace T_splines {
 /// \param mesh a closed triangle mesh, of one or more components
 /// \param signature an admissible signature of `mesh`
 /// \param metric the result; written only if the status is CONVERGED
-/// \param np named parameters:
-///   `vertex_point_map`; `geom_traits`; `visitor` (see `Progress_visitor`); `sparse_linear_solver` (a model of
-///   `SparseSpdSolverTraits`);
-///   `number_of_iterations` (default 100);
-///   `T_splines::parameters::residual_tolerance(double)`: on the largest deviation, in radians (default 1e-12);
-///   `T_splines::parameters::flip_policy`: `Ideal_delaunay_flips` (default) or `Degeneracy_flips`;
-///   `T_splines::parameters::number_type(FT())`: the type to compute in (default `double`; wider types follow where
-///   `double` comes to a floor above the tolerance or stalls: the status is not CONVERGED before the tolerance is met).
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a geometric traits class}
+///     \cgalParamType{a model of `Kernel`}
+///     \cgalParamDefault{the kernel of the points, a new object}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{residual_tolerance}
+///     \cgalParamDescription{the largest deviation from the signature that is allowed, in radians, over all vertices
+///       and loops}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1e-12}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{the largest number of steps of Newton's method}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{100}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{flip_policy}
+///     \cgalParamDescription{how the triangulation follows the metric}
+///     \cgalParamType{a model of `FlipPolicy`: `Ideal_delaunay_flips` or `Degeneracy_flips`}
+///     \cgalParamDefault{`Ideal_delaunay_flips()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_type}
+///     \cgalParamDescription{the number type to compute in; the value does not matter}
+///     \cgalParamType{a floating-point type, built in or of Boost.Multiprecision}
+///     \cgalParamDefault{`double`}
+///     \cgalParamExtra{Wider types follow where `double` comes to a floor above the tolerance or stalls: the status is
+///       not CONVERGED before the tolerance is met.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{sparse_linear_solver}
+///     \cgalParamDescription{the solver for the linear systems}
+///     \cgalParamType{a model of `SparseSpdSolverTraits` with `FT = double`, or `std::ref()` of one}
+///     \cgalParamDefault{`Default_spd_solver_traits`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return what was done. Complexity: a sparse factorization of n rows for n vertices, usually 4 to 7 iterations of O(n
 ///   log n).
 template <typename TriangleMesh, typename FT, typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -71,6 +71,7 @@ Exact_map_report<TriangleMesh> exact_map_report(const Mesh_indexing<TriangleMesh
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesSimilarityMap
 /// makes a seamless similarity map that is so up to round-off exactly seamless, or tells which element prevents it
 /// ([CZ17] section 5).
 ///
@@ -92,10 +93,19 @@ Exact_map_report<TriangleMesh> exact_map_report(const Mesh_indexing<TriangleMesh
 /// \param mesh a triangle mesh, closed or with border
 /// \param uv_map the coordinates
 /// \param map made on `mesh`; receives the result, and is left as it is if the status is not EXACT
-/// \param np named parameters: `T_splines::parameters::transition_tolerance` (double): the largest deviation of a corner
-///   from the similarity of its branch, relative to the largest coordinate on the branch; angles may deviate by as much
-///   in radians, and by what such a deviation makes of them on short edges. The default is 1e-6, or what rounding
-///   explains if no coordinate has more than seven (2e-6) or six (2e-5) significant decimal digits
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{transition_tolerance}
+///     \cgalParamDescription{the largest deviation of a corner from the similarity of its branch, relative to the
+///       largest coordinate on the branch; angles may deviate by as much in radians, and by what such a deviation makes
+///       of them on short edges}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1e-6, or what rounding explains if no coordinate has more than seven (2e-6) or six (2e-5)
+///       significant decimal digits}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return what was done; or the first defect found and the element that has it, all of them for triangles.
 /// Complexity: linear in the size of the mesh, with exact numbers only on the seams.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename FT,

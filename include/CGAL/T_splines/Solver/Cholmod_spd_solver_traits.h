@@ -20,6 +20,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSolver
 /// solves sparse symmetric positive definite systems with CHOLMOD's supernodal Cholesky factorization.
 ///
 /// Matrices and vectors are passed without copies. The order of elimination is by approximate minimum degree. Nested
@@ -35,7 +36,7 @@ namespace T_splines {
 /// \cgalModels `SparseSpdSolverTraits`
 class Cholmod_spd_solver_traits {
 public:
-  using FT = double;
+  using FT = double; ///< number type
 
   /// prepares for matrices with the pattern of `a`: ordering and symbolic factorization.
   /// \return `false` if memory, or the range of the indices, does not suffice for the factor.

@@ -22,6 +22,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSolver
 /// solves sparse symmetric positive definite systems with a solver of Eigen.
 ///
 /// Any solver of Eigen will do that offers `analyzePattern()`, `factorize()`, `solve()` and `info()` and reads the
@@ -37,7 +38,7 @@ class Eigen_spd_solver_traits {
   static_assert(!Matrix::IsRowMajor, "the matrix of the solver has to be column-major");
 
 public:
-  using FT = typename EigenSolver::Scalar;
+  using FT = typename EigenSolver::Scalar; ///< number type
 
   /// prepares for matrices with the pattern of `a`: ordering and symbolic factorization.
   /// \return `false` if the solver fails.

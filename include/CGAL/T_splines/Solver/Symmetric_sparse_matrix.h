@@ -12,6 +12,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSolver
 /// A symmetric sparse matrix: its lower triangle, diagonal included, in compressed columns.
 ///
 /// It is the language between the algorithms of this package and the models of `SparseSpdSolverTraits`. Within a
@@ -19,13 +20,15 @@ namespace T_splines {
 /// \tparam FT a floating-point type.
 template <typename FT_>
 struct Symmetric_sparse_matrix {
-  using FT = FT_;
+  using FT = FT_; ///< number type of the entries
 
   std::vector<int> column_begin = {0}; ///< size + 1 entries: where each column starts in `row` and `value`
   std::vector<int> row;                ///< row index of each stored entry
   std::vector<FT> value;               ///< value of each stored entry
 
+  /// returns the number of rows.
   int size() const { return static_cast<int>(column_begin.size()) - 1; }
+  /// returns the number of stored entries.
   std::size_t number_of_entries() const { return row.size(); }
 
   /// computes y = A x. \pre x.size() == size(). Complexity: linear in the number of entries.

@@ -15,6 +15,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSolver
 /// The model of `SparseSpdSolverTraits` that is used when none is given: Eigen's `SimplicialLDLT`. Without Eigen, that
 /// is without `CGAL_EIGEN3_ENABLED`, an incomplete type.
 #ifdef CGAL_EIGEN3_ENABLED
@@ -52,11 +53,13 @@ decltype(auto) sparse_linear_solver(const NamedParameters& np)
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesSolver
 /// The model of `SparseSpdSolverTraits` that the named parameters contain, or `Default_spd_solver_traits`.
 template <typename NamedParameters>
 using Solver_traits_from =
     std::remove_reference_t<decltype(internal::sparse_linear_solver(std::declval<const NamedParameters&>()))>;
 
+/// \ingroup PkgTSplinesSolver
 /// The model of `SparseSpdSolverTraits` that the template argument `SolverTraits` of a class stands for: itself, or
 /// `Default_spd_solver_traits` for `CGAL::Default`.
 template <typename SolverTraits>

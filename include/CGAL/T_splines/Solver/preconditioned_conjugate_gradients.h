@@ -12,12 +12,17 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSolver
 /// The vectors that `preconditioned_conjugate_gradients()` works with; passed again, they are not allocated again.
 template <typename FT>
 struct Conjugate_gradients_workspace {
-  std::vector<FT> residual, preconditioned, search, image;
+  std::vector<FT> residual, ///< b - A x
+      preconditioned,       ///< the solution with the factorization for the residual
+      search,               ///< the direction of the step
+      image;                ///< A times the direction
 };
 
+/// \ingroup PkgTSplinesSolver
 /// solves A x = b for a symmetric positive definite A by conjugate gradients, preconditioned with a factorization of a
 /// nearby matrix.
 ///

@@ -14,6 +14,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSpline
 /// Why an adaptive fit ended. With the first four values there is a surface.
 enum class Adaptive_fit_status {
   WITHIN_TOLERANCE,    ///< neither is farther from the other than the tolerance, surface and mesh; and no folds
@@ -30,6 +31,7 @@ enum class Adaptive_fit_status {
   INTERRUPTED            ///< the visitor stopped the work
 };
 
+/// \ingroup PkgTSplinesSpline
 /// returns one sentence that explains `status`.
 inline const char* message(const Adaptive_fit_status status)
 {
@@ -49,9 +51,11 @@ inline const char* message(const Adaptive_fit_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesSpline
 /// One of the surfaces of an adaptive fit, from coarse to fine.
 struct T_spline_fit_level {
-  std::size_t number_of_control_points = 0, number_of_faces = 0;
+  std::size_t number_of_control_points = 0, ///< of the surface
+      number_of_faces = 0;                  ///< of its T-mesh
   std::size_t control_points_in_rings = 0;  ///< around extraordinary vertices
   std::size_t number_of_folded_faces = 0;   ///< with folds, or where the surface meets itself
   std::size_t number_of_doubtful_faces = 0; ///< others with doubtful places, as `Normal_deviation` says
@@ -59,20 +63,24 @@ struct T_spline_fit_level {
   T_spline_fit_error error;
 };
 
+/// \ingroup PkgTSplinesSpline
 /// What `fit_adaptive_T_spline()` did. Members that `status` does not mention have no meaning.
 /// \tparam Graph the given T-mesh
 template <typename Graph>
 struct Adaptive_fit_report {
-  Adaptive_fit_status status = Adaptive_fit_status::WITHIN_TOLERANCE;
-  std::vector<T_spline_fit_level> levels; ///< always set
-  std::size_t best_level = 0;             ///< of the surface that was written
-  std::size_t number_of_samples = 0;
-  T_spline_fit_report<Graph> fit;
+  Adaptive_fit_status status = Adaptive_fit_status::WITHIN_TOLERANCE; ///< why it ended
+  std::vector<T_spline_fit_level> levels;                             ///< always set
+  std::size_t best_level = 0;                                         ///< of the surface that was written
+  std::size_t number_of_samples = 0;                                  ///< of the last level
+  T_spline_fit_report<Graph> fit;                                     ///< the fit of the last level
 
+  /// returns whether `status` tells of success.
   bool success() const { return status <= Adaptive_fit_status::RESOLUTION_REACHED; }
+  /// converts to `true` upon success.
   explicit operator bool() const { return success(); }
 };
 
+/// \ingroup PkgTSplinesSpline
 /// returns what `report` says, with the numbers concerned. Complexity: linear in the size of the T-mesh.
 template <typename Graph>
 std::string describe(const Adaptive_fit_report<Graph>& report, const Graph& graph)

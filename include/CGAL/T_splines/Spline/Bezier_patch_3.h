@@ -12,6 +12,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSpline
 /// A rational bicubic Bezier patch over [0, 1]^2.
 ///
 /// Its 16 control points are homogeneous, (w x, w y, w z, w); number 4 j + i is the i-th one along the first parameter
@@ -20,17 +21,21 @@ namespace T_splines {
 template <typename Kernel_>
 class Bezier_patch_3 {
 public:
-  using Kernel = Kernel_;
-  using FT = typename Kernel::FT;
-  using Point_3 = typename Kernel::Point_3;
-  using Homogeneous = std::array<FT, 4>;
-  using Controls = std::array<Homogeneous, 16>;
+  using Kernel = Kernel_;                       ///< the kernel
+  using FT = typename Kernel::FT;               ///< number type
+  using Point_3 = typename Kernel::Point_3;     ///< a point in space
+  using Homogeneous = std::array<FT, 4>;        ///< (w x, w y, w z, w)
+  using Controls = std::array<Homogeneous, 16>; ///< the control points, see above
 
   Bezier_patch_3() : m_controls() {}
+  /// makes the patch with these homogeneous control points.
   explicit Bezier_patch_3(const Controls& controls) : m_controls(controls) {}
 
+  /// returns all homogeneous control points.
   const Controls& homogeneous_control_points() const { return m_controls; }
+  /// returns control point (i, j), homogeneous.
   Homogeneous& homogeneous_control_point(const int i, const int j) { return m_controls[4 * j + i]; }
+  /// returns control point (i, j), homogeneous.
   const Homogeneous& homogeneous_control_point(const int i, const int j) const { return m_controls[4 * j + i]; }
 
   /// returns control point (i, j), euclidean.
@@ -38,8 +43,10 @@ public:
   {
     return internal::projected_point<Kernel>(homogeneous_control_point(i, j));
   }
+  /// returns the weight of control point (i, j).
   const FT& weight(const int i, const int j) const { return homogeneous_control_point(i, j)[3]; }
 
+  /// returns the point at (s, t).
   Point_3 position(const FT& s, const FT& t) const
   {
     return internal::projected_point<Kernel>(homogeneous_jet<0>(s, t)[0]);

@@ -26,13 +26,17 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSpline
 /// The part of the surface that a Bezier patch of a compiled T-spline covers: [u_begin, u_end] x [v_begin, v_end] of a
 /// face.
 /// \tparam Graph a model of `FaceGraph`
 template <typename Graph, typename FT>
 struct Bezier_patch_domain {
-  typename boost::graph_traits<Graph>::face_descriptor face;
-  FT u_begin, u_end, v_begin, v_end;
+  typename boost::graph_traits<Graph>::face_descriptor face; ///< of the T-mesh
+  FT u_begin,                                                ///< smallest u
+      u_end,                                                 ///< largest u
+      v_begin,                                               ///< smallest v
+      v_end;                                                 ///< largest v
   bool is_cap; ///< the patch stands for the surface around an extraordinary vertex, and is not exact
 };
 
@@ -55,6 +59,7 @@ void prefetch([[maybe_unused]] const T& object)
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesSpline
 /// A T-spline surface as rational bicubic Bezier patches, for fast evaluation and for export.
 ///
 /// A face has one patch for each cell between the knot lines that cross it; they are the surface, up to round-off. A
@@ -69,19 +74,22 @@ void prefetch([[maybe_unused]] const T& object)
 template <typename Graph_, typename Kernel_>
 class Compiled_T_spline {
 public:
-  using Graph = Graph_;
-  using Kernel = Kernel_;
-  using FT = typename Kernel::FT;
-  using Point_3 = typename Kernel::Point_3;
-  using Vector_3 = typename Kernel::Vector_3;
-  using Jet = Surface_jet<Kernel>;
-  using Patch = Bezier_patch_3<Kernel>;
-  using Domain = Bezier_patch_domain<Graph, FT>;
-  using Place = T_mesh_place<Graph, FT>;
-  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
+  using Graph = Graph_;                          ///< the T-mesh's graph
+  using Kernel = Kernel_;                        ///< the kernel
+  using FT = typename Kernel::FT;                ///< number type
+  using Point_3 = typename Kernel::Point_3;      ///< a point in space
+  using Vector_3 = typename Kernel::Vector_3;    ///< a vector in space
+  using Jet = Surface_jet<Kernel>;               ///< a point with its derivatives
+  using Patch = Bezier_patch_3<Kernel>;          ///< a rational bicubic Bezier patch
+  using Domain = Bezier_patch_domain<Graph, FT>; ///< the part of a face that a patch covers
+  using Place = T_mesh_place<Graph, FT>;         ///< a face, and a point in its frame
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor; ///< a face of the graph
 
+  /// returns the number of Bezier patches.
   std::size_t number_of_patches() const { return m_patches.size(); }
+  /// returns patch number `i`.
   const Patch& patch(const std::size_t i) const { return m_patches[i]; }
+  /// returns which part of which face patch number `i` covers.
   Domain domain(const std::size_t i) const
   {
     const Rectangle& r = m_rectangles[i];
@@ -94,8 +102,11 @@ public:
   /// returns the number of rings at extraordinary vertices.
   int number_of_rings() const { return m_number_of_rings; }
 
+  /// returns the graph of the T-mesh.
   const Graph& graph() const { return m_indexing->graph(); }
+  /// returns the largest u of a face.
   FT width(const face_descriptor f) const { return m_t_mesh->width(m_indexing->face_index(f)); }
+  /// returns the largest v of a face.
   FT height(const face_descriptor f) const { return m_t_mesh->height(m_indexing->face_index(f)); }
 
   /// returns the number of the patch that covers (u, v) of a face; where patches meet, of one of them.
@@ -105,6 +116,7 @@ public:
     return find_patch(m_indexing->face_index(f), u, v);
   }
 
+  /// returns the point at (u, v) of a face.
   Point_3 position(const face_descriptor f, const FT& u, const FT& v) const
   {
     const std::size_t i = patch_at(f, u, v);
@@ -127,6 +139,7 @@ public:
     return jet;
   }
 
+  /// returns the unit normal at (u, v) of a face; the zero vector where it is not defined.
   Vector_3 unit_normal(const face_descriptor f, const FT& u, const FT& v) const
   {
     return position_and_normal(f, u, v).second;
@@ -176,9 +189,11 @@ public:
     return out;
   }
 
-  /// What other headers of this room build on; not for users.
+  /// \cond INTERNAL
+  // What other headers of this room build on; not for users.
   const internal::T_mesh_arrays<FT>& t_mesh_arrays() const { return *m_t_mesh; }
   const internal::Mesh_indexing<Graph>& indexing() const { return *m_indexing; }
+  /// \endcond
 
 private:
   template <typename Surface>

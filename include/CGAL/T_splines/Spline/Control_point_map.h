@@ -17,6 +17,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSpline
 /// The control points of a T-spline surface, of a map of points and one of weights.
 ///
 /// A read/write map, vertex -> `Kernel::Weighted_point_3`: euclidean coordinates, not multiplied by the weight.
@@ -28,19 +29,22 @@ class Control_point_map {
   using Kernel = typename CGAL::Kernel_traits<Point_3>::Kernel;
 
 public:
-  using key_type = typename boost::property_traits<VertexPointMap>::key_type;
-  using value_type = typename Kernel::Weighted_point_3;
-  using reference = value_type;
-  using category = boost::read_write_property_map_tag;
+  using key_type = typename boost::property_traits<VertexPointMap>::key_type; ///< a vertex
+  using value_type = typename Kernel::Weighted_point_3;                       ///< a control point with its weight
+  using reference = value_type;                        ///< the same: control points are made when they are read
+  using category = boost::read_write_property_map_tag; ///< it can be read and written
 
+  /// joins a map of points and one of weights.
   Control_point_map(const VertexPointMap points, const VertexWeightMap weights) : m_points(points), m_weights(weights)
   {
   }
 
+  /// returns the control point of `v`.
   friend value_type get(const Control_point_map& map, const key_type v)
   {
     return value_type(get(map.m_points, v), typename Kernel::FT(get(map.m_weights, v)));
   }
+  /// sets the control point of `v`.
   friend void put(const Control_point_map& map, const key_type v, const value_type& p)
   {
     put(map.m_points, v, p.point());
@@ -52,6 +56,7 @@ private:
   VertexWeightMap m_weights;
 };
 
+/// \ingroup PkgTSplinesSpline
 /// returns the map of control points made of a map of points and one of weights.
 template <typename VertexPointMap, typename VertexWeightMap>
 Control_point_map<VertexPointMap, VertexWeightMap> make_control_point_map(const VertexPointMap points,

@@ -13,6 +13,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSpline
 /// Whether a line was inserted into a T-spline surface, and if not, why.
 enum class Knot_insertion_status {
   INSERTED,                ///< the line is inserted, the surface is the same
@@ -24,6 +25,7 @@ enum class Knot_insertion_status {
   LINE_MEETS_ITSELF        ///< the line comes back to one of its three columns at `face`
 };
 
+/// \ingroup PkgTSplinesSpline
 /// returns one sentence that explains `status`.
 inline const char* message(const Knot_insertion_status status)
 {
@@ -42,6 +44,7 @@ inline const char* message(const Knot_insertion_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesSpline
 /// The result of `insert_knot_line()`. It converts to `true` if the line was inserted. Members that `status` does not
 /// mention have no meaning.
 /// \tparam Graph a model of `FaceGraph`
@@ -49,13 +52,15 @@ template <typename Graph>
 struct Knot_insertion_report {
   using Traits = boost::graph_traits<Graph>;
 
-  Knot_insertion_status status = Knot_insertion_status::INSERTED;
-  Spline_compatibility_report<Graph> compatibility;
-  typename Traits::vertex_descriptor vertex = Traits::null_vertex();
-  typename Traits::face_descriptor face = Traits::null_face();
-  std::size_t inserted_vertices = 0; ///< 0 unless INSERTED
+  Knot_insertion_status status = Knot_insertion_status::INSERTED;    ///< how it ended
+  Spline_compatibility_report<Graph> compatibility;                  ///< NOT_SPLINE_COMPATIBLE: which condition fails
+  typename Traits::vertex_descriptor vertex = Traits::null_vertex(); ///< the vertex that `status` is about
+  typename Traits::face_descriptor face = Traits::null_face();       ///< the face that `status` is about
+  std::size_t inserted_vertices = 0;                                 ///< 0 unless INSERTED
 
+  /// returns whether `status` tells of success.
   bool success() const { return status == Knot_insertion_status::INSERTED; }
+  /// converts to `true` upon success.
   explicit operator bool() const { return success(); }
 };
 

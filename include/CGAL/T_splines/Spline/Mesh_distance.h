@@ -18,16 +18,27 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSpline
 /// The distances of points from a triangle mesh, in doubles: a function object that is built once and asked often.
 ///
 /// It copies the mesh; a copy of it shares the data. Queries may run in any number of threads.
 class Mesh_distance {
 public:
-  using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
+  using Point_3 = CGAL::Simple_cartesian<double>::Point_3; ///< a point in space
 
   /// prepares the mesh, if it has faces, all of them triangles, and finite points. Complexity: n log n for n faces.
   /// \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`; faces may be degenerate
-  /// \param np optional named parameters: `CGAL::parameters::vertex_point_map`
+  /// \param mesh the mesh
+  /// \param np an optional sequence of named parameters among these:
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{vertex_point_map}
+  ///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+  ///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+  ///       `%Point_3`}
+  ///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Mesh_distance(const TriangleMesh& mesh, const NamedParameters& np = CGAL::parameters::default_values())
   {
@@ -43,6 +54,7 @@ public:
 
   /// returns whether distances can be asked for, and if not, why.
   T_spline_deviation_status status() const { return m_status; }
+  /// returns whether distances can be asked for.
   bool is_valid() const { return m_status == T_spline_deviation_status::MEASURED; }
 
   /// returns the point of the mesh that is closest to p. \pre `is_valid()`; the coordinates of p are finite

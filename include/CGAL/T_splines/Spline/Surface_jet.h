@@ -12,31 +12,38 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSpline
 /// Curvatures of a surface at a point. The signs are those for the normal du x dv: a sphere whose normals point
 /// outwards has negative ones.
 /// \tparam Kernel a CGAL kernel whose `FT` has a square root
 template <typename Kernel>
 struct Surface_curvatures {
-  using FT = typename Kernel::FT;
-  using Vector_3 = typename Kernel::Vector_3;
+  using FT = typename Kernel::FT;             ///< number type
+  using Vector_3 = typename Kernel::Vector_3; ///< a vector in space
 
   FT gaussian;                ///< product of the principal curvatures
   FT mean;                    ///< half of their sum
-  FT minimal, maximal;        ///< the principal curvatures
+  FT minimal,                 ///< the smaller principal curvature
+      maximal;                ///< the principal curvatures
   Vector_3 minimal_direction; ///< unit tangent vectors; any orthogonal pair where the curvatures are equal
-  Vector_3 maximal_direction;
+  Vector_3 maximal_direction; ///< orthogonal to the other
 };
 
+/// \ingroup PkgTSplinesSpline
 /// A point of a surface with the derivatives up to order 2 with respect to the parameters of its face.
 /// \tparam Kernel a CGAL kernel
 template <typename Kernel>
 struct Surface_jet {
-  using FT = typename Kernel::FT;
-  using Point_3 = typename Kernel::Point_3;
-  using Vector_3 = typename Kernel::Vector_3;
+  using FT = typename Kernel::FT;             ///< number type
+  using Point_3 = typename Kernel::Point_3;   ///< a point in space
+  using Vector_3 = typename Kernel::Vector_3; ///< a vector in space
 
-  Point_3 position;
-  Vector_3 du, dv, duu, duv, dvv;
+  Point_3 position; ///< the point
+  Vector_3 du,      ///< first derivative along u
+      dv,           ///< first derivative along v
+      duu,          ///< second derivative along u
+      duv,          ///< mixed derivative
+      dvv;          ///< second derivative along v
 
   /// returns du x dv, which points to the side from which the faces are seen counter-clockwise.
   Vector_3 normal() const { return CGAL::cross_product(du, dv); }

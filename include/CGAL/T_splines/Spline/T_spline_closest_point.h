@@ -30,17 +30,21 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSpline
 /// The point of a surface that is closest to a given point.
 /// \tparam Graph a model of `FaceGraph`
 /// \tparam Kernel a CGAL kernel
 template <typename Graph, typename Kernel>
 struct Surface_projection {
+  /// of the T-mesh.
   typename boost::graph_traits<Graph>::face_descriptor face = boost::graph_traits<Graph>::null_face();
-  typename Kernel::FT u = 0, v = 0; ///< in [0, width] x [0, height] of the face
+  typename Kernel::FT u = 0,        ///< in [0, width] of the face
+      v = 0;                        ///< in [0, height] of the face
   typename Kernel::Point_3 point;   ///< at (u, v)
   typename Kernel::FT distance = 0; ///< from the given point
 };
 
+/// \ingroup PkgTSplinesSpline
 /// Finds the points of a T-spline surface that are closest to given points: globally, and up to round-off.
 ///
 /// The exact surface is searched, also around extraordinary vertices, in Bezier patches in the order of their boxes'
@@ -66,13 +70,13 @@ struct Surface_projection {
 template <typename Surface_>
 class T_spline_closest_point {
 public:
-  using Surface = Surface_;
-  using Graph = typename Surface::Graph;
-  using Kernel = typename Surface::Kernel;
-  using FT = typename Kernel::FT;
-  using Point_3 = typename Kernel::Point_3;
-  using Projection = Surface_projection<Graph, Kernel>;
-  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
+  using Surface = Surface_;                                                     ///< the type of the surface
+  using Graph = typename Surface::Graph;                                        ///< the T-mesh's graph
+  using Kernel = typename Surface::Kernel;                                      ///< the kernel
+  using FT = typename Kernel::FT;                                               ///< number type
+  using Point_3 = typename Kernel::Point_3;                                     ///< a point in space
+  using Projection = Surface_projection<Graph, Kernel>;                         ///< a closest point
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor; ///< a face of the graph
 
 private:
   static_assert(std::is_same<FT, double>::value || std::is_same<FT, long double>::value,

@@ -19,6 +19,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSpline
 /// Whether distances were measured, and if not, why.
 enum class T_spline_deviation_status {
   MEASURED,             ///< the distances are known
@@ -29,6 +30,7 @@ enum class T_spline_deviation_status {
   SURFACE_WITHOUT_FACES ///< the T-mesh has no face
 };
 
+/// \ingroup PkgTSplinesSpline
 /// returns one sentence that explains `status`.
 inline const char* message(const T_spline_deviation_status status)
 {
@@ -44,6 +46,7 @@ inline const char* message(const T_spline_deviation_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesSpline
 /// The distances of the points of one surface from another.
 struct One_way_deviation {
   double rms = 0;         ///< root of the mean of the squared distances, weighted by area
@@ -56,24 +59,30 @@ struct One_way_deviation {
   double share_within_half = 1;      ///< and of at most half of it
   std::size_t number_of_samples = 0; ///< at how many points distances were measured for the mean
 
+  /// returns the root mean square by the longest side of the box.
   double relative_rms() const { return relative(rms); }
+  /// returns the maximum by the longest side of the box.
   double relative_maximum() const { return relative(maximum); }
+  /// returns the proven bound by the longest side of the box.
   double relative_upper_bound() const { return relative(upper_bound); }
 
 private:
   double relative(const double distance) const { return extent > 0 ? distance / extent : 0; }
 };
 
+/// \ingroup PkgTSplinesSpline
 /// Where something was found: a place of the T-spline surface, and the face of the mesh next to it.
 /// \tparam Graph the T-mesh, a model of `FaceGraph`
 /// \tparam TriangleMesh the mesh, a model of `FaceGraph`
 template <typename Graph, typename TriangleMesh>
 struct Deviation_place {
-  T_mesh_place<Graph, double> place;
+  T_mesh_place<Graph, double> place; ///< of the T-spline surface
+  /// The face of the mesh next to it.
   typename boost::graph_traits<TriangleMesh>::face_descriptor mesh_face =
       boost::graph_traits<TriangleMesh>::null_face();
 };
 
+/// \ingroup PkgTSplinesSpline
 /// The normals of a surface compared with those of a mesh at the closest points. Where a closest point lies on an edge
 /// or at a vertex, the triangle with the smallest angle counts.
 ///
@@ -91,6 +100,7 @@ struct Normal_deviation {
   std::size_t number_of_certified_patches = 0; ///< those for which bounds of the normals prove that there is neither
 };
 
+/// \ingroup PkgTSplinesSpline
 /// What `measure_T_spline_deviation()` found. Members that `status` does not mention have no meaning.
 /// \tparam Graph the T-mesh, a model of `FaceGraph`
 /// \tparam TriangleMesh the mesh, a model of `FaceGraph`
@@ -98,14 +108,14 @@ template <typename Graph, typename TriangleMesh>
 struct T_spline_deviation_report {
   using Traits = boost::graph_traits<TriangleMesh>;
 
-  T_spline_deviation_status status = T_spline_deviation_status::MEASURED;
-  typename Traits::vertex_descriptor vertex = Traits::null_vertex();
-  typename Traits::face_descriptor face = Traits::null_face();
-  One_way_deviation mesh_to_surface;                          ///< of the points of the mesh from the surface
-  One_way_deviation surface_to_mesh;                          ///< of the points of the surface from the mesh
-  Deviation_place<Graph, TriangleMesh> mesh_to_surface_place; ///< of the largest distance
-  Deviation_place<Graph, TriangleMesh> surface_to_mesh_place; ///< of the largest distance
-  Normal_deviation<Graph, TriangleMesh> normals;
+  T_spline_deviation_status status = T_spline_deviation_status::MEASURED; ///< whether the distances are known
+  typename Traits::vertex_descriptor vertex = Traits::null_vertex();      ///< the vertex that `status` is about
+  typename Traits::face_descriptor face = Traits::null_face();            ///< the face that `status` is about
+  One_way_deviation mesh_to_surface;                            ///< of the points of the mesh from the surface
+  One_way_deviation surface_to_mesh;                            ///< of the points of the surface from the mesh
+  Deviation_place<Graph, TriangleMesh> mesh_to_surface_place;   ///< of the largest distance
+  Deviation_place<Graph, TriangleMesh> surface_to_mesh_place;   ///< of the largest distance
+  Normal_deviation<Graph, TriangleMesh> normals;                ///< the angles between the normals
   double tolerance = (std::numeric_limits<double>::infinity)(); ///< as it was given: a length
 
   /// returns the Hausdorff distance, as found.
@@ -120,10 +130,13 @@ struct T_spline_deviation_report {
   /// returns whether there are folds. Doubtful places do not count.
   bool has_folds() const { return normals.number_of_folded_patches > 0; }
 
+  /// returns whether `status` tells of success.
   bool success() const { return status == T_spline_deviation_status::MEASURED; }
+  /// converts to `true` upon success.
   explicit operator bool() const { return success(); }
 };
 
+/// \ingroup PkgTSplinesSpline
 /// returns what `report` says, with the numbers of the elements concerned, counted from 0. Complexity: linear in the
 /// size of the mesh.
 template <typename Graph, typename TriangleMesh>

@@ -12,6 +12,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSpline
 /// Whether a T-spline surface was fitted, and if not, why.
 enum class T_spline_fit_status {
   FITTED,           ///< the control points are set
@@ -24,6 +25,7 @@ enum class T_spline_fit_status {
   INTERRUPTED       ///< the visitor stopped the work
 };
 
+/// \ingroup PkgTSplinesSpline
 /// returns one sentence that explains `status`.
 inline const char* message(const T_spline_fit_status status)
 {
@@ -40,6 +42,7 @@ inline const char* message(const T_spline_fit_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesSpline
 /// How far a surface is from samples: distances between the samples' points and the points of the surface at their
 /// places.
 struct T_spline_fit_error {
@@ -47,26 +50,33 @@ struct T_spline_fit_error {
   double maximum = 0; ///< the largest distance
   double extent = 0;  ///< the longest side of the bounding box of the samples: that of the cube which encloses them
 
+  /// returns the root mean square by the longest side of the box.
   double relative_rms() const { return extent > 0 ? rms / extent : 0; }
+  /// returns the maximum by the longest side of the box.
   double relative_maximum() const { return extent > 0 ? maximum / extent : 0; }
 };
 
+/// \ingroup PkgTSplinesSpline
 /// What `fit_T_spline()` did. Members that `status` does not mention have no meaning.
 /// \tparam Graph a model of `FaceGraph`
 template <typename Graph>
 struct T_spline_fit_report {
-  T_spline_fit_status status = T_spline_fit_status::FITTED;
-  T_spline_report<Graph> surface;
-  std::size_t sample = 0; ///< the first invalid one; if FITTED, the one at the largest distance
-  std::size_t number_of_control_points = 0, number_of_samples = 0;
-  T_spline_fit_error error;       ///< of the fitted surface, at the samples' last places
-  T_spline_fit_error first_error; ///< the same before the samples were moved
-  int number_of_corrections = 0;  ///< how often the samples were moved
+  T_spline_fit_status status = T_spline_fit_status::FITTED; ///< how it ended
+  T_spline_report<Graph> surface;                           ///< INVALID_SURFACE: what is wrong
+  std::size_t sample = 0;                   ///< the first invalid one; if FITTED, the one at the largest distance
+  std::size_t number_of_control_points = 0, ///< of the surface
+      number_of_samples = 0;                ///< that were given
+  T_spline_fit_error error;                 ///< of the fitted surface, at the samples' last places
+  T_spline_fit_error first_error;           ///< the same before the samples were moved
+  int number_of_corrections = 0;            ///< how often the samples were moved
 
+  /// returns whether `status` tells of success.
   bool success() const { return status == T_spline_fit_status::FITTED; }
+  /// converts to `true` upon success.
   explicit operator bool() const { return success(); }
 };
 
+/// \ingroup PkgTSplinesSpline
 /// returns what `report` says, with the numbers of the elements concerned, counted from 0. Complexity: linear in the
 /// size of the T-mesh.
 template <typename Graph>

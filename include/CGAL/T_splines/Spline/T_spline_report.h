@@ -14,6 +14,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSpline
 /// Whether a T-spline surface is defined, and if not, why.
 enum class T_spline_status {
   VALID,                    ///< the surface can be evaluated
@@ -22,6 +23,7 @@ enum class T_spline_status {
   WEIGHT_NOT_POSITIVE       ///< the weight of the control point of `vertex` is zero or negative
 };
 
+/// \ingroup PkgTSplinesSpline
 /// returns one sentence that explains `status`.
 inline const char* message(const T_spline_status status)
 {
@@ -35,18 +37,23 @@ inline const char* message(const T_spline_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesSpline
 /// What is wrong with a T-spline surface, and where. Members that `status` does not mention have no meaning.
 /// \tparam Graph a model of `FaceGraph`
 template <typename Graph>
 struct T_spline_report {
-  T_spline_status status = T_spline_status::VALID;
-  Spline_compatibility_report<Graph> compatibility;
+  T_spline_status status = T_spline_status::VALID;  ///< whether the surface is defined
+  Spline_compatibility_report<Graph> compatibility; ///< NOT_SPLINE_COMPATIBLE: which condition fails
+  /// the vertex that `status` is about.
   typename boost::graph_traits<Graph>::vertex_descriptor vertex = boost::graph_traits<Graph>::null_vertex();
 
+  /// returns whether `status` tells of success.
   bool success() const { return status == T_spline_status::VALID; }
+  /// converts to `true` upon success.
   explicit operator bool() const { return success(); }
 };
 
+/// \ingroup PkgTSplinesSpline
 /// returns what `report` says and the numbers of the elements concerned; of a T-mesh that is not spline compatible,
 /// which condition fails. Complexity: linear in the size of the T-mesh.
 template <typename Graph>

@@ -31,13 +31,20 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSpline
 /// A basis function at a point: its vertex, its value, and its derivatives with respect to u and v of the face.
 template <typename Graph, typename FT>
 struct Basis_function_jet {
-  typename boost::graph_traits<Graph>::vertex_descriptor vertex;
-  FT value, du, dv, duu, duv, dvv;
+  typename boost::graph_traits<Graph>::vertex_descriptor vertex; ///< the vertex that the function belongs to
+  FT value,                                                      ///< of the function
+      du,                                                        ///< first derivative along u
+      dv,                                                        ///< first derivative along v
+      duu,                                                       ///< second derivative along u
+      duv,                                                       ///< mixed derivative
+      dvv;                                                       ///< second derivative along v
 };
 
+/// \ingroup PkgTSplinesSpline
 /// A T-spline surface on a T-mesh with halfedge knots ([CZ17] section 4): bi-cubic, rational, C2 away from
 /// extraordinary vertices and with a continuous tangent plane there (at those of valence 1 it is only continuous).
 ///
@@ -65,16 +72,16 @@ template <typename TMesh, typename ControlPointMap,
               typename boost::property_traits<ControlPointMap>::value_type>::type>
 class T_spline_surface {
 public:
-  using Graph = typename TMesh::Graph;
-  using Kernel = Kernel_;
-  using FT = typename Kernel::FT;
-  using Point_3 = typename Kernel::Point_3;
-  using Vector_3 = typename Kernel::Vector_3;
-  using Jet = Surface_jet<Kernel>;
-  using Curvatures = Surface_curvatures<Kernel>;
-  using Place = T_mesh_place<Graph, FT>;
-  using vertex_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;
-  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
+  using Graph = typename TMesh::Graph;           ///< the T-mesh's graph
+  using Kernel = Kernel_;                        ///< the kernel
+  using FT = typename Kernel::FT;                ///< number type
+  using Point_3 = typename Kernel::Point_3;      ///< a point in space
+  using Vector_3 = typename Kernel::Vector_3;    ///< a vector in space
+  using Jet = Surface_jet<Kernel>;               ///< a point with its derivatives
+  using Curvatures = Surface_curvatures<Kernel>; ///< the curvatures at a point
+  using Place = T_mesh_place<Graph, FT>;         ///< a face, and a point in its frame
+  using vertex_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor; ///< a vertex of the graph
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;     ///< a face of the graph
 
 private:
   using Knot = typename TMesh::FT;
@@ -88,7 +95,15 @@ public:
   /// `report()` tells. Complexity: linear in the number of pairs of a basis function and a face where it acts.
   /// \param t_mesh its graph must outlive the surface
   /// \param control_points copied
-  /// \param np named parameters: `relative_tolerance`, as for `is_admissible()`
+  /// \param np an optional sequence of named parameters among these:
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{relative_tolerance}
+  ///     \cgalParamDescription{as for `is_admissible()`}
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{1e-9, and 0 for exact number types}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
   T_spline_surface(const TMesh& t_mesh, const ControlPointMap control_points,
                    const NamedParameters& np = CGAL::parameters::default_values())
@@ -115,9 +130,12 @@ public:
 
   /// returns whether the surface can be evaluated, and if not, why.
   const T_spline_report<Graph>& report() const { return m_report; }
+  /// returns whether the surface can be evaluated.
   bool is_valid() const { return m_report.success(); }
 
+  /// returns the graph of the T-mesh.
   const Graph& graph() const { return m_indexing->graph(); }
+  /// returns the number of vertices of the T-mesh.
   std::size_t number_of_control_points() const { return m_controls.size(); }
 
   /// reads the control points again. Complexity: linear. \return whether the surface can be evaluated; see `report()`
@@ -238,7 +256,8 @@ public:
     return out;
   }
 
-  /// What other headers of this room build on; not for users.
+  /// \cond INTERNAL
+  // What other headers of this room build on; not for users.
   const Basis& basis() const { return *m_basis; }
   const internal::T_mesh_arrays<FT>& t_mesh_arrays() const { return m_basis->t_mesh(); }
   const std::shared_ptr<const Basis>& shared_basis() const { return m_basis; }
@@ -249,6 +268,7 @@ public:
   {
     return m_cone_coefficients[cone_face];
   }
+  /// \endcond
 
 private:
   int index(const face_descriptor f) const { return m_indexing->face_index(f); }

@@ -32,6 +32,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSpline
 /// What `check_T_spline_self_intersections()` found.
 struct T_spline_self_intersection_report {
   std::size_t number_of_triangles = 0;                       ///< of the tessellation
@@ -42,6 +43,7 @@ struct T_spline_self_intersection_report {
 
   /// returns whether the surface passes through itself nowhere but where the mesh does.
   bool success() const { return number_of_new_intersections == 0; }
+  /// converts to `true` upon success.
   explicit operator bool() const { return success(); }
 };
 
@@ -153,6 +155,7 @@ T_spline_self_intersection_report find_new_self_intersections(const Surface& sur
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesSpline
 /// checks where a T-spline surface passes through itself: the triangles of its tessellation, by exact predicates; and
 /// whether the mesh that it approximates does so there.
 /// \tparam Surface a `T_spline_surface` or a `Compiled_T_spline`, with which this is faster
@@ -161,11 +164,29 @@ T_spline_self_intersection_report find_new_self_intersections(const Surface& sur
 /// \param surface \pre it is valid
 /// \param mesh what the surface approximates
 /// \param faces receives the faces of the T-mesh whose triangles intersect others where the mesh does not, each once
-/// \param np optional named parameters:
-///   `CGAL::parameters::vertex_point_map`: points of the mesh, of any kernel, rounded to doubles;
-///   `T_splines::parameters::tessellation_resolution`: an `int` of at least 2 (8), as for `tessellate_T_spline()`;
-///   `T_splines::parameters::tolerance`: a `double` (0), a length: triangles of the surface that are not farther from
-///     triangles of the mesh that intersect are where the mesh intersects
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///     \cgalParamExtra{Points of any kernel, rounded to doubles.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{tessellation_resolution}
+///     \cgalParamDescription{as for `tessellate_T_spline()`, at least 2}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{8}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{tolerance}
+///     \cgalParamDescription{a length: triangles of the surface that are not farther from triangles of the mesh that
+///       intersect are where the mesh intersects}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// Complexity: n log^3 n for n triangles and few intersections.
 template <typename Surface, typename TriangleMesh, typename OutputIterator,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

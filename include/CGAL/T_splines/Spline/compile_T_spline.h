@@ -14,12 +14,23 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSpline
 /// compiles a T-spline surface into rational bicubic Bezier patches.
 /// \tparam Surface a `T_spline_surface`
 /// \param surface \pre `surface.is_valid()`
-/// \param np optional named parameters: `number_of_rings`, an `int` of at least 1 (4): how many rings of patches lie
-///        around an extraordinary vertex, outside of the caps; the deviation of the caps falls by a factor of 2.4
-///        (valence 3) to 1.5 (high valences) with each, as the subdominant eigenvalue of the subdivision tells
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{number_of_rings}
+///     \cgalParamDescription{how many rings of patches lie around an extraordinary vertex, outside of the caps; at
+///       least 1}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{4}
+///     \cgalParamExtra{The deviation of the caps falls by a factor of 2.4 (valence 3) to 1.5 (high valences) with each,
+///       as the subdominant eigenvalue of the subdivision tells.}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return the patches; they do not depend on `surface` any more, but on its T-mesh.
 /// Complexity: linear in the number of pairs of a basis function and a patch where it acts.
 template <typename Surface, typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -27,6 +27,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSpline
 /// The fairness of a fit if none is given: it smooths over half of the distance between samples.
 constexpr double default_fairness = 0.1;
 
@@ -82,6 +83,7 @@ auto control_point_weights(const Graph&, const NamedParameters& np)
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesSpline
 /// fits a T-spline surface to samples of a surface: finds the control points that minimize E_dist + lambda E_fair
 /// ([He06] section 3.3, equation (3)), in the faces at extraordinary vertices as in all others.
 ///
@@ -103,15 +105,43 @@ auto control_point_weights(const Graph&, const NamedParameters& np)
 /// \param t_mesh a spline compatible T-mesh
 /// \param samples their places are moved upon success, if corrections are asked for
 /// \param control_points written upon success, to euclidean coordinates
-/// \param np optional named parameters:
-///   `T_splines::parameters::fairness`: a number >= 0 (default: `default_fairness`); with 0, the samples alone must
-///     determine all control points;
-///   `CGAL::parameters::number_of_iterations`: how often the samples are moved at most (6);
-///   `T_splines::parameters::vertex_weight_map`: vertex -> positive number, the weights of the rational form (1);
-///   `CGAL::parameters::sparse_linear_solver`: a model of `SparseSpdSolverTraits` (`Default_spd_solver_traits`);
-///     `Eigen_spd_solver_traits<Eigen::ConjugateGradient<...>>` is the method of [He06];
-///   `CGAL::parameters::visitor`: a `Progress_visitor`;
-///   `T_splines::parameters::relative_tolerance`, as for `is_admissible()`
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{fairness}
+///     \cgalParamDescription{the weight of the thin-plate energy, without unit}
+///     \cgalParamType{a number >= 0}
+///     \cgalParamDefault{`default_fairness`}
+///     \cgalParamExtra{With 0, the samples alone must determine all control points.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{how often the samples are moved at most}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{6}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_weight_map}
+///     \cgalParamDescription{the weights of the rational form}
+///     \cgalParamType{a model of `ReadablePropertyMap`, vertex of the T-mesh -> positive number}
+///     \cgalParamDefault{1}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{sparse_linear_solver}
+///     \cgalParamDescription{the solver for the linear systems}
+///     \cgalParamType{a model of `SparseSpdSolverTraits`, or `std::ref()` of one}
+///     \cgalParamDefault{`Default_spd_solver_traits`}
+///     \cgalParamExtra{`Eigen_spd_solver_traits<Eigen::ConjugateGradient<...>>` is the method of [He06].}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{relative_tolerance}
+///     \cgalParamDescription{as for `is_admissible()`}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1e-9, and 0 for exact number types}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return whether the surface was fitted, if not, why, and how far it is from the samples
 /// Complexity: for each fit linear in the number of samples times the squared number of basis functions that act in a
 /// face (about 20), and one sparse factorization.

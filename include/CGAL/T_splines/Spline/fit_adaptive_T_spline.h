@@ -34,6 +34,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSpline
 /// The visitor of an adaptive fit that does nothing, and the list of what such a visitor offers: a `Progress_visitor`
 /// that also sees the levels.
 struct Adaptive_fit_visitor : Progress_visitor {
@@ -88,6 +89,7 @@ Carried_surface<ToGraph> copied_surface(const Mesh_indexing<Graph>& indexing, co
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesSpline
 /// approximates a mesh by a T-spline surface within a tolerance, both ways and without folds ([He06] section 3.3): fits,
 /// refines the T-mesh where the surface is too far from the mesh, and fits again.
 ///
@@ -111,15 +113,45 @@ Carried_surface<ToGraph> copied_surface(const Mesh_indexing<Graph>& indexing, co
 /// \param surface the mesh, on the T-mesh: `carry_surface()` makes it. Its images cover all faces
 /// \param tolerance the largest distance allowed between mesh and surface, in the units of the points; positive
 /// \param spline becomes the best level, with weights of 1, upon success; it stays what it was otherwise
-/// \param np optional named parameters:
-///   `T_splines::parameters::maximum_number_of_control_points`: a `std::size_t` (5000, or if that is more, four times as
-///     many as the coarsest spline compatible T-mesh has, or half as many as the mesh has vertices);
-///   `T_splines::parameters::fairness`: as for `fit_T_spline()`, with the mean distance between the samples of a level;
-///   `CGAL::parameters::number_of_iterations`: how often the points that are aimed at are moved in a level, at most (16), a
-///     quarter of that in levels that begin with the surface of the last one;
-///   `CGAL::parameters::sparse_linear_solver`: as for `fit_T_spline()`;
-///   `CGAL::parameters::visitor`: an `Adaptive_fit_visitor`;
-///   `T_splines::parameters::relative_tolerance`, as for `is_admissible()`
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{maximum_number_of_control_points}
+///     \cgalParamDescription{the most control points that the surface may have}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{5000, or if that is more, four times as many as the coarsest spline compatible T-mesh has, or
+///       half as many as the mesh has vertices}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{fairness}
+///     \cgalParamDescription{the weight of the thin-plate energy, without unit}
+///     \cgalParamType{a number >= 0}
+///     \cgalParamDefault{`default_fairness`}
+///     \cgalParamExtra{As for `fit_T_spline()`, with the mean distance between the samples of a level.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{how often the points that are aimed at are moved in a level, at most}
+///     \cgalParamType{`int`}
+///     \cgalParamDefault{16}
+///     \cgalParamExtra{A quarter of that in levels that begin with the surface of the last one.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{sparse_linear_solver}
+///     \cgalParamDescription{the solver for the linear systems}
+///     \cgalParamType{a model of `SparseSpdSolverTraits`, or `std::ref()` of one}
+///     \cgalParamDefault{`Default_spd_solver_traits`}
+///     \cgalParamExtra{As for `fit_T_spline()`.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress, sees each level, and may stop the work}
+///     \cgalParamType{a model of `AdaptiveFitVisitor`, copied}
+///     \cgalParamDefault{`Adaptive_fit_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{relative_tolerance}
+///     \cgalParamDescription{as for `is_admissible()`}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1e-9, and 0 for exact number types}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return why it ended, and the errors of all levels. Complexity: as `fit_T_spline()` and `make_spline_compatible()`
 /// for each level.
 template <typename TMesh, typename Kernel, typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -194,6 +194,7 @@ private:
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesSpline
 /// inserts a line of knots into a T-spline surface, across all faces that it meets, and moves the control points beside
 /// it so that the surface stays what it is at every point.
 ///
@@ -236,7 +237,21 @@ private:
 ///        of two, in homogeneous coordinates
 /// \param f, axis, x the line is u = `x` in the frame of `f` if `axis` is 0, v = `x` if it is 1. With inexact knots, it
 ///        must keep away from the sides of the face by 1e-6 of its size.
-/// \param np named parameters: `visitor`, a model of `TMeshVisitor`; `relative_tolerance`, as for `is_admissible()`
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what follows the changes of the T-mesh}
+///     \cgalParamType{a model of `TMeshVisitor`, copied}
+///     \cgalParamDefault{`T_mesh_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{relative_tolerance}
+///     \cgalParamDescription{as for `is_admissible()`}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1e-9, and 0 for exact number types}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return whether the line was inserted, with the number of its vertices; if not, nothing has changed, and the status
 ///         tells why, and where. With exact knots all decisions are exact; with inexact ones the surface changes by
 ///         round-off.

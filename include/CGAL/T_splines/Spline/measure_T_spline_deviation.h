@@ -190,6 +190,7 @@ decltype(auto) as_compiled(const Surface& surface)
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesSpline
 /// measures the distances between a T-spline surface and a triangle mesh, both ways, and the angles between their
 /// normals. They are distances in space, between a point of the one and the closest point of the other: no
 /// parametrization is involved.
@@ -206,15 +207,41 @@ decltype(auto) as_compiled(const Surface& surface)
 /// \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
 /// \param surface \pre it is valid
 /// \param mesh it may have borders, several components and degenerate faces. Vertices without faces do not count.
-/// \param np optional named parameters:
-///   `CGAL::parameters::vertex_point_map`: points of the mesh, of any kernel; the distances are computed in doubles;
-///   `T_splines::parameters::tolerance`: a `double`, the distance that is allowed, a length (infinite);
-///   `T_splines::parameters::vertex_distance_map`: vertex of the mesh -> `double`, writable: its distance from the
-///     surface; written upon success, for the vertices of faces;
-///   `T_splines::parameters::face_deviation_map`: face of the T-mesh -> `double`, writable: the largest distance found
-///     of a point of the face from the mesh, and of a point of the mesh whose closest point is in the face;
-///   `T_splines::parameters::face_is_folded_map`: face of the T-mesh -> `bool`, writable: whether it has a fold, doubtful
-///     places apart (`Normal_deviation`)
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///     \cgalParamExtra{Points of any kernel; the distances are computed in doubles.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{tolerance}
+///     \cgalParamDescription{the distance that is allowed, a length}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{infinite}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_distance_map}
+///     \cgalParamDescription{receives the distance of each vertex of the mesh from the surface}
+///     \cgalParamType{a model of `WritablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `double`}
+///     \cgalParamDefault{none is written}
+///     \cgalParamExtra{Written upon success, for the vertices of faces.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{face_deviation_map}
+///     \cgalParamDescription{receives the largest distance found of a point of the face from the mesh, and of a point
+///       of the mesh whose closest point is in the face}
+///     \cgalParamType{a model of `WritablePropertyMap`, face of the T-mesh -> `double`}
+///     \cgalParamDefault{none is written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{face_is_folded_map}
+///     \cgalParamDescription{receives whether a face has a fold, doubtful places apart (`Normal_deviation`)}
+///     \cgalParamType{a model of `WritablePropertyMap`, face of the T-mesh -> `bool`}
+///     \cgalParamDefault{none is written}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return the distances and angles, or why there are none. `Mesh_distance` tells the distances of other points from the
 /// mesh. Complexity: for n triangles and patches, n log n as a rule.
 template <typename Surface, typename TriangleMesh,

@@ -26,16 +26,18 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesSpline
 /// A triangulation of the parameter domain of a T-spline surface: places, and triangles of three numbers of places,
 /// seen counter-clockwise, with the faces in which they lie.
 /// \tparam Graph the T-mesh
 template <typename Graph, typename FT>
 struct T_spline_tessellation {
-  std::vector<T_mesh_place<Graph, FT>> places;
-  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<T_mesh_place<Graph, FT>> places;                             ///< the corners of the triangles
+  std::vector<std::array<std::size_t, 3>> triangles;                       ///< numbers of three places each
   std::vector<typename boost::graph_traits<Graph>::face_descriptor> faces; ///< of the T-mesh, per triangle
 };
 
+/// \ingroup PkgTSplinesSpline
 /// triangulates the parameter domain of a T-spline surface without cracks: triangles on both sides of an edge share its
 /// points, T-joints included.
 /// \tparam Surface a `T_spline_surface` or a `Compiled_T_spline`
@@ -100,17 +102,36 @@ void add_tessellation(const Surface& surface,
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesSpline
 /// tessellates a T-spline surface into a triangle mesh without cracks, as `tessellate_parameter_domain()` divides it.
 /// \tparam Surface a `T_spline_surface` or a `Compiled_T_spline`
 /// \tparam TriangleMesh a model of `MutableFaceGraph`
 /// \param surface \pre it is valid
 /// \param resolution n >= 2: each side of a face is divided into at least n parts, its inside into n x n cells
 /// \param mesh receives the triangles. \pre it is empty
-/// \param np optional named parameters:
-///   `T_splines::parameters::output_vertex_point_map`: points of the mesh (default: its internal map);
-///   `CGAL::parameters::vertex_normal_map`: vertex -> `Vector_3`, writable: unit normals of the surface;
-///   `T_splines::parameters::vertex_place_map`: vertex -> `T_mesh_place<Graph, FT>`, writable: where the vertex lies on
-///     the surface
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{output_vertex_point_map}
+///     \cgalParamDescription{receives the points of `mesh`}
+///     \cgalParamType{a model of `WritablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_normal_map}
+///     \cgalParamDescription{receives the unit normals of the surface}
+///     \cgalParamType{a model of `WritablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Vector_3`}
+///     \cgalParamDefault{none is written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_place_map}
+///     \cgalParamDescription{receives where the vertices lie on the surface}
+///     \cgalParamType{a model of `WritablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `T_mesh_place<Graph, FT>`}
+///     \cgalParamDefault{none is written}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// Complexity: linear in the size of the result, for a `T_spline_surface` times the number of basis functions of a
 /// face.
 template <typename Surface, typename TriangleMesh,

@@ -9,6 +9,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// Whether halfedge knots are admissible on a T-mesh, and if not, why.
 enum class Admissibility_status {
   ADMISSIBLE,              ///< all conditions hold
@@ -19,6 +20,7 @@ enum class Admissibility_status {
   CYCLE_CONDITION_VIOLATED ///< the product of the knot ratios around `vertex` is `1 + defect`
 };
 
+/// \ingroup PkgTSplinesTMesh
 /// returns one sentence that explains `status`.
 inline const char* message(const Admissibility_status status)
 {
@@ -34,6 +36,7 @@ inline const char* message(const Admissibility_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesTMesh
 /// The result of `is_admissible()`: what is wrong, where, and how much. Members that `status` does not mention have no
 /// meaning.
 /// \tparam Graph a model of `FaceGraph`.
@@ -41,14 +44,16 @@ template <typename Graph>
 struct Admissibility_report {
   using Traits = boost::graph_traits<Graph>;
 
-  Admissibility_status status = Admissibility_status::ADMISSIBLE;
-  typename Traits::vertex_descriptor vertex = Traits::null_vertex();
-  typename Traits::halfedge_descriptor halfedge = Traits::null_halfedge();
-  typename Traits::face_descriptor face = Traits::null_face();
-  int number_of_corners = 4;
+  Admissibility_status status = Admissibility_status::ADMISSIBLE;          ///< whether the knots are admissible
+  typename Traits::vertex_descriptor vertex = Traits::null_vertex();       ///< the vertex that `status` is about
+  typename Traits::halfedge_descriptor halfedge = Traits::null_halfedge(); ///< the halfedge that `status` is about
+  typename Traits::face_descriptor face = Traits::null_face();             ///< the face that `status` is about
+  int number_of_corners = 4;                                               ///< of `face`
   double defect = 0; ///< of OPPOSITE_SIDES_DIFFER: (length - opposite length) / opposite length
 
+  /// returns whether `status` tells of success.
   bool success() const { return status == Admissibility_status::ADMISSIBLE; }
+  /// converts to `true` upon success.
   explicit operator bool() const { return success(); }
 };
 

@@ -21,6 +21,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// Points in the faces of a T-mesh that stay where they are on the surface while the T-mesh changes under them.
 ///
 /// Give `visitor()` to the operations that change the T-mesh; each takes time linear in the number of points in the
@@ -31,21 +32,24 @@ namespace T_splines {
 template <typename Graph, typename NT_, typename Payload_>
 class Carried_points {
 public:
-  using NT = NT_;
-  using Payload = Payload_;
-  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
+  using NT = NT_;                                                               ///< number type of the coordinates
+  using Payload = Payload_;                                                     ///< what a point carries with it
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor; ///< a face of the T-mesh
 
   /// A point in the frame of a face.
   struct Point {
-    NT u, v;
-    Payload payload;
+    NT u,            ///< coordinate in the frame of the face
+        v;           ///< coordinate in the frame of the face
+    Payload payload; ///< what goes with the point
   };
 
   /// The visitor that moves the points from old faces to new ones, a model of `TMeshVisitor`. It refers to the points.
   class Visitor : public T_mesh_visitor {
   public:
+    /// refers to `points`.
     explicit Visitor(Carried_points& points) : m_points(&points) {}
 
+    /// follows the change of faces.
     template <typename FT>
     void faces_replaced(const std::vector<T_mesh_piece<Graph, FT>>& pieces) const
     {
@@ -69,6 +73,7 @@ public:
     return found == m_points.end() ? m_none : found->second;
   }
 
+  /// returns the visitor that keeps it up to date; it refers to this object.
   Visitor visitor() { return Visitor(*this); }
 
   /// moves the points of the faces that are listed as `from`, each by its piece. Round-off may leave a point outside of

@@ -25,6 +25,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// A surface of triangles that a T-mesh lies on, and that stays where it is in space while the T-mesh changes: which
 /// triangles each face covers, and where they are in its frame. So every place in a face is a point of the surface.
 ///
@@ -35,24 +36,26 @@ namespace T_splines {
 template <typename Graph_>
 class Carried_surface {
 public:
-  using Graph = Graph_;
-  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
-  using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
-  using Parameters = std::array<double, 2>;
+  using Graph = Graph_;                                                         ///< the T-mesh's graph
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor; ///< a face of the graph
+  using Point_3 = CGAL::Simple_cartesian<double>::Point_3;                      ///< a point in space
+  using Parameters = std::array<double, 2>;                                     ///< u and v
   using Triangle = std::array<std::size_t, 3>; ///< numbers of points, seen counter-clockwise from outside
 
   /// A triangle in the frame of a face that it meets, in the interior of both. It may reach out of the face, and a face
   /// may meet a triangle several times.
   struct Image {
-    std::size_t triangle;
+    std::size_t triangle;              ///< its number
     std::array<Parameters, 3> corners; ///< of the three points, u and v; counter-clockwise
   };
 
   /// The visitor that moves the images from old faces to new ones, a model of `TMeshVisitor`. It refers to the surface.
   class Visitor : public T_mesh_visitor {
   public:
+    /// refers to `surface`.
     explicit Visitor(Carried_surface& surface) : m_surface(&surface) {}
 
+    /// follows the change of faces.
     template <typename FT>
     void faces_replaced(const std::vector<T_mesh_piece<Graph, FT>>& pieces) const
     {
@@ -81,7 +84,9 @@ public:
   /// adds the image of a triangle in a face. Together, the images of a face cover it; each triangle has one.
   void add_image(const face_descriptor f, const Image& image) { m_images[f].push_back(image); }
 
+  /// returns all points, by their numbers.
   const std::vector<Point_3>& points() const { return m_points; }
+  /// returns all triangles, by their numbers.
   const std::vector<Triangle>& triangles() const { return m_triangles; }
 
   /// returns the images in the face `f`, in no particular order; valid until the T-mesh changes.
@@ -91,6 +96,7 @@ public:
     return found == m_images.end() ? m_none : found->second;
   }
 
+  /// returns the visitor that keeps it up to date; it refers to this object.
   Visitor visitor() { return Visitor(*this); }
 
   /// moves the images of the faces that are listed as `from`: by each piece whose rectangle they meet.

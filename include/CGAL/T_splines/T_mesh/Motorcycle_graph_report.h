@@ -11,6 +11,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// How the tracing of a motorcycle graph ended.
 enum class Motorcycle_graph_status {
   SUCCESS,
@@ -21,6 +22,7 @@ enum class Motorcycle_graph_status {
   NO_T_MESH          ///< a face of the graph is no rectangle: the same
 };
 
+/// \ingroup PkgTSplinesTMesh
 /// returns a sentence that tells the status.
 inline const char* message(const Motorcycle_graph_status status)
 {
@@ -35,15 +37,17 @@ inline const char* message(const Motorcycle_graph_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesTMesh
 /// What `trace_motorcycle_graph()` did.
 struct Motorcycle_graph_report {
-  Motorcycle_graph_status status = Motorcycle_graph_status::SUCCESS;
-  std::size_t motorcycles = 0; ///< rays that left cones, reflex corners and seeds
-  std::size_t seeds = 0;       ///< starts at regular places: on surfaces without cones, and where a trace would spiral
-  std::size_t crossed_faces = 0; ///< triangles crossed by traces, counted once per crossing
-  std::size_t t_joints = 0;      ///< vertices of the T-mesh where a face goes straight on
-  Predicate_statistics predicates;
+  Motorcycle_graph_status status = Motorcycle_graph_status::SUCCESS; ///< how it ended
+  std::size_t motorcycles = 0;                                       ///< rays that left cones, reflex corners and seeds
+  std::size_t seeds = 0; ///< starts at regular places: on surfaces without cones, and where a trace would spiral
+  std::size_t crossed_faces = 0;   ///< triangles crossed by traces, counted once per crossing
+  std::size_t t_joints = 0;        ///< vertices of the T-mesh where a face goes straight on
+  Predicate_statistics predicates; ///< how often the predicates were asked
 
+  /// returns whether `status` tells of success.
   bool success() const { return status == Motorcycle_graph_status::SUCCESS; }
 };
 

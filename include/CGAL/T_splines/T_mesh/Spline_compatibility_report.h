@@ -15,6 +15,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// Whether a T-mesh carries a T-spline surface, and if not, why ([CZ17] section 4.1.3). The first three values after
 /// SPLINE_COMPATIBLE cannot be helped by refinement.
 enum class Spline_compatibility_status {
@@ -29,6 +30,7 @@ enum class Spline_compatibility_status {
   ENDLESS_SUPPORT       ///< B: the support of `vertex` winds around a point that is not on the surface, over `face`
 };
 
+/// \ingroup PkgTSplinesTMesh
 /// returns one sentence that explains `status`.
 inline const char* message(const Spline_compatibility_status status)
 {
@@ -52,6 +54,7 @@ inline const char* message(const Spline_compatibility_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesTMesh
 /// The result of `is_spline_compatible()` and `make_spline_compatible()`: which condition fails, and where. Members
 /// that `status` does not mention have no meaning.
 /// \tparam Graph a model of `FaceGraph`.
@@ -59,19 +62,23 @@ template <typename Graph>
 struct Spline_compatibility_report {
   using Traits = boost::graph_traits<Graph>;
 
-  Spline_compatibility_status status = Spline_compatibility_status::SPLINE_COMPATIBLE;
-  Admissibility_report<Graph> admissibility;
-  typename Traits::vertex_descriptor vertex = Traits::null_vertex();
+  Spline_compatibility_status status = Spline_compatibility_status::SPLINE_COMPATIBLE; ///< which condition fails
+  Admissibility_report<Graph> admissibility;                                           ///< INADMISSIBLE: why
+  typename Traits::vertex_descriptor vertex = Traits::null_vertex(); ///< the vertex that `status` is about
+  /// the extraordinary vertex that is concerned.
   typename Traits::vertex_descriptor extraordinary_vertex = Traits::null_vertex();
-  typename Traits::face_descriptor face = Traits::null_face();
+  typename Traits::face_descriptor face = Traits::null_face(); ///< the face that `status` is about
   /// Of a spline compatible T-mesh: how many supports cover some face on two ways around the surface, condition C of
   /// [CZ17] 4.1.3. That is allowed.
   std::size_t self_overlapping_supports = 0;
 
+  /// returns whether all conditions hold.
   bool success() const { return status == Spline_compatibility_status::SPLINE_COMPATIBLE; }
+  /// converts to `true` upon success.
   explicit operator bool() const { return success(); }
 };
 
+/// \ingroup PkgTSplinesTMesh
 /// returns what `report` says and the numbers of the elements concerned. Complexity: linear in the size of the T-mesh.
 template <typename Graph>
 std::string describe(const Spline_compatibility_report<Graph>& report, const Graph& graph)

@@ -22,15 +22,17 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// The size of the faces of a T-mesh in the parameter domain: a model of `TMeshFaceSize`. Only for T-meshes whose
 /// knots agree on both sides of each edge this is a size that means the same everywhere.
 /// \tparam TMesh as for `T_mesh_coordinates`
 template <typename TMesh>
 class Parametric_face_size {
 public:
-  using Coordinates = T_mesh_coordinates<TMesh>;
-  using face_descriptor = typename Coordinates::face_descriptor;
+  using Coordinates = T_mesh_coordinates<TMesh>;                 ///< coordinates in the faces
+  using face_descriptor = typename Coordinates::face_descriptor; ///< a face of the graph
 
+  /// measures in the T-mesh of `coordinates`.
   explicit Parametric_face_size(const Coordinates& coordinates) : m_coordinates(coordinates) {}
 
   /// returns width and height of `f`.
@@ -43,6 +45,7 @@ private:
   Coordinates m_coordinates;
 };
 
+/// \ingroup PkgTSplinesTMesh
 /// The size of the faces of a T-mesh on the surface, measured by points that the T-mesh carries: a model of
 /// `TMeshFaceSize`.
 ///
@@ -57,15 +60,17 @@ private:
 template <typename TMesh, typename Points>
 class Surface_face_size {
 public:
-  using Graph = typename TMesh::Graph;
-  using Coordinates = T_mesh_coordinates<TMesh>;
-  using face_descriptor = typename Coordinates::face_descriptor;
+  using Graph = typename TMesh::Graph;                           ///< the T-mesh's graph
+  using Coordinates = T_mesh_coordinates<TMesh>;                 ///< coordinates in the faces
+  using face_descriptor = typename Coordinates::face_descriptor; ///< a face of the graph
 
   /// The visitor that follows the changes of the faces, those of the points included; a model of `TMeshVisitor`.
   class Visitor : public T_mesh_visitor {
   public:
+    /// refers to `size`.
     explicit Visitor(Surface_face_size& size) : m_size(&size) {}
 
+    /// follows the change of faces.
     template <typename FT>
     void faces_replaced(const std::vector<T_mesh_piece<Graph, FT>>& pieces) const
     {
@@ -77,6 +82,7 @@ public:
   };
 
   /// measures all faces.
+  /// \param coordinates of the T-mesh
   /// \param points all of them; they must outlive this, and are moved by `visitor()` from now on
   Surface_face_size(const Coordinates& coordinates, Points& points) : m_coordinates(coordinates), m_points(&points)
   {
@@ -86,6 +92,7 @@ public:
     }
   }
 
+  /// returns the visitor that keeps it up to date; it refers to this object.
   Visitor visitor() { return Visitor(*this); }
 
   /// returns the lengths of `f` along u and along v.

@@ -17,6 +17,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// copies the connectivity of a T-mesh, its knots and its corners. The elements keep their order; points are not copied.
 /// \tparam FromTMesh, ToTMesh models of `TMesh`, the graphs of `FaceListGraph` and `VertexListGraph`, that of `to` of
 ///         `MutableFaceGraph`; knots are converted, exact ones to doubles rounded
@@ -48,6 +49,7 @@ void copy_T_mesh(const FromTMesh& from, ToTMesh&& to)
     writer.set_halfedge_of_face(f, indexing.halfedge_index(halfedge(indexing.face(f), graph)));
 }
 
+/// \ingroup PkgTSplinesTMesh
 /// A T-mesh with halfedge knots, as one value: a model of `TMesh`. Copies have their own graph, knots and corners.
 ///
 /// The graph is a `Surface_mesh`; whatever else belongs to the T-mesh, control points and anchors for instance, is in
@@ -57,18 +59,21 @@ void copy_T_mesh(const FromTMesh& from, ToTMesh&& to)
 template <typename Point_3_, typename FT_ = double>
 class T_mesh {
 public:
-  using Point_3 = Point_3_;
-  using FT = FT_;
-  using Graph = CGAL::Surface_mesh<Point_3>;
-  using vertex_descriptor = typename Graph::Vertex_index;
-  using halfedge_descriptor = typename Graph::Halfedge_index;
-  using face_descriptor = typename Graph::Face_index;
-  using Knot_map = typename Graph::template Property_map<halfedge_descriptor, FT>;
+  using Point_3 = Point_3_;                                                        ///< a point in space
+  using FT = FT_;                                                                  ///< number type of the knots
+  using Graph = CGAL::Surface_mesh<Point_3>;                                       ///< the T-mesh's graph
+  using vertex_descriptor = typename Graph::Vertex_index;                          ///< a vertex of the graph
+  using halfedge_descriptor = typename Graph::Halfedge_index;                      ///< a halfedge of the graph
+  using face_descriptor = typename Graph::Face_index;                              ///< a face of the graph
+  using Knot_map = typename Graph::template Property_map<halfedge_descriptor, FT>; ///< halfedge -> knot interval
+  /// halfedge -> whether the face turns at its target.
   using Corner_map = typename Graph::template Property_map<halfedge_descriptor, bool>;
 
   /// is empty.
   T_mesh() { find_maps(); }
+  /// copies graph, knots, corners, and all property maps.
   T_mesh(const T_mesh& other) : m_graph(other.m_graph) { find_maps(); }
+  /// copies graph, knots, corners, and all property maps.
   T_mesh& operator=(const T_mesh& other)
   {
     m_graph = other.m_graph;
@@ -76,7 +81,9 @@ public:
     return *this;
   }
 
+  /// returns the graph of the T-mesh.
   Graph& graph() { return m_graph; }
+  /// returns the graph of the T-mesh.
   const Graph& graph() const { return m_graph; }
   const Knot_map& knots() const { return m_knots; }       ///< of new halfedges 0
   const Corner_map& corners() const { return m_corners; } ///< of new halfedges `false`

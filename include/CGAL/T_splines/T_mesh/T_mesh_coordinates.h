@@ -17,6 +17,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// returns the extended valence of a vertex ([CZ17] section 4): the number of quarter turns of the faces around it, one
 /// at each corner of a face and two where a face goes straight on.
 ///
@@ -35,6 +36,7 @@ int extended_valence(const typename TMesh::vertex_descriptor v, const TMesh& t_m
   return result;
 }
 
+/// \ingroup PkgTSplinesTMesh
 /// returns whether a vertex is on the border of a T-mesh.
 template <typename TMesh>
 bool is_border_vertex(const typename TMesh::vertex_descriptor v, const TMesh& t_mesh)
@@ -47,6 +49,7 @@ bool is_border_vertex(const typename TMesh::vertex_descriptor v, const TMesh& t_
   return false;
 }
 
+/// \ingroup PkgTSplinesTMesh
 /// returns whether the extended valence of a vertex is not the regular one: 4, or 2 on the border.
 template <typename TMesh>
 bool is_extraordinary(const typename TMesh::vertex_descriptor v, const TMesh& t_mesh)
@@ -54,6 +57,7 @@ bool is_extraordinary(const typename TMesh::vertex_descriptor v, const TMesh& t_
   return extended_valence(v, t_mesh) != (is_border_vertex(v, t_mesh) ? 2 : 4);
 }
 
+/// \ingroup PkgTSplinesTMesh
 /// Coordinates in the faces of a T-mesh with halfedge knots.
 ///
 /// The frame of a face: its four sides are the runs of halfedges between corners. The side that contains `halfedge(f)`
@@ -67,11 +71,11 @@ bool is_extraordinary(const typename TMesh::vertex_descriptor v, const TMesh& t_
 template <typename TMesh>
 class T_mesh_coordinates {
 public:
-  using Graph = typename TMesh::Graph;
-  using FT = typename TMesh::FT;
-  using vertex_descriptor = typename TMesh::vertex_descriptor;
-  using halfedge_descriptor = typename TMesh::halfedge_descriptor;
-  using face_descriptor = typename TMesh::face_descriptor;
+  using Graph = typename TMesh::Graph;                             ///< the T-mesh's graph
+  using FT = typename TMesh::FT;                                   ///< number type of the knots
+  using vertex_descriptor = typename TMesh::vertex_descriptor;     ///< a vertex of the graph
+  using halfedge_descriptor = typename TMesh::halfedge_descriptor; ///< a halfedge of the graph
+  using face_descriptor = typename TMesh::face_descriptor;         ///< a face of the graph
 
   /// Where a halfedge lies on the boundary of its face.
   struct Place {
@@ -79,8 +83,10 @@ public:
     FT begin; ///< distance of the halfedge's source from the corner where the side begins
   };
 
+  /// refers to the graph and the maps of `t_mesh`.
   explicit T_mesh_coordinates(const TMesh& t_mesh) : m_t_mesh(t_mesh) {}
 
+  /// returns the T-mesh that the coordinates are of.
   const TMesh& t_mesh() const { return m_t_mesh; }
 
   /// returns the first halfedge of the side that contains `h`.

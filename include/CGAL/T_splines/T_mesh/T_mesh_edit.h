@@ -9,6 +9,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// How an operation on a T-mesh ended. Only after DONE has anything changed.
 enum class T_mesh_edit_status {
   DONE,             ///< the operation was executed
@@ -23,6 +24,7 @@ enum class T_mesh_edit_status {
   LINE_MEETS_ITSELF ///< the line crosses itself, or faces touch it along both axes
 };
 
+/// \ingroup PkgTSplinesTMesh
 /// returns one sentence that explains `status`.
 inline const char* message(const T_mesh_edit_status status)
 {
@@ -41,39 +43,45 @@ inline const char* message(const T_mesh_edit_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesTMesh
 /// The result of an operation on a T-mesh: how it ended, and if it was executed, a halfedge; each operation says which.
 /// It converts to `true` if the operation was executed.
 /// \tparam Graph a model of `HalfedgeGraph`
 template <typename Graph>
 struct T_mesh_edit {
-  using halfedge_descriptor = typename boost::graph_traits<Graph>::halfedge_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<Graph>::halfedge_descriptor; ///< a halfedge of the graph
 
+  /// is made by the operations.
   T_mesh_edit(const T_mesh_edit_status s, const halfedge_descriptor h = boost::graph_traits<Graph>::null_halfedge())
     : status(s),
       halfedge(h)
   {
   }
 
+  /// converts to `true` upon success.
   explicit operator bool() const { return status == T_mesh_edit_status::DONE; }
 
-  T_mesh_edit_status status;
-  halfedge_descriptor halfedge;
+  T_mesh_edit_status status;    ///< whether it was executed, and if not, why
+  halfedge_descriptor halfedge; ///< the halfedge that the operation names
 };
 
+/// \ingroup PkgTSplinesTMesh
 /// The chain of edges along which two faces of a T-mesh touch. Lengths are in the units of the face of `first`, except
 /// those called opposite.
 /// \tparam Graph a model of `HalfedgeGraph`
 /// \tparam FT the number type of the knots
 template <typename Graph, typename FT>
 struct T_mesh_overlap {
-  using halfedge_descriptor = typename boost::graph_traits<Graph>::halfedge_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<Graph>::halfedge_descriptor; ///< a halfedge of the graph
 
-  halfedge_descriptor first, last; ///< the first and last halfedge of the chain
-  FT begin, end;                   ///< distances of its ends from the beginning of the side
-  FT side_length;                  ///< of the side that contains the chain
-  FT scale;                        ///< length of the opposite face's unit
-  FT opposite_begin;               ///< distance of the chain's end from the beginning of the opposite face's side
-  FT opposite_side_length;         ///< of the opposite face's side that contains the chain
+  halfedge_descriptor first, ///< the first halfedge of the chain
+      last;                  ///< the last halfedge of the chain
+  FT begin,                  ///< distance of its beginning from that of the side
+      end;                   ///< distance of its end from the beginning of the side
+  FT side_length;            ///< of the side that contains the chain
+  FT scale;                  ///< length of the opposite face's unit
+  FT opposite_begin;         ///< distance of the chain's end from the beginning of the opposite face's side
+  FT opposite_side_length;   ///< of the opposite face's side that contains the chain
 };
 
 } // namespace T_splines

@@ -23,6 +23,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// Changes a T-mesh with halfedge knots; each operation keeps it admissible ([CZ17] section 8).
 ///
 /// Lines of the T-mesh are inserted, removed and moved along the axes of the faces; extraordinary vertices never move
@@ -39,14 +40,14 @@ template <typename TMesh, typename Visitor = T_mesh_visitor,
           typename VertexIsConstrainedMap = CGAL::Static_boolean_property_map<typename TMesh::vertex_descriptor, false>>
 class T_mesh_editor {
 public:
-  using Graph = typename TMesh::Graph;
-  using Coordinates = T_mesh_coordinates<Const_T_mesh_view_of<TMesh>>;
-  using FT = typename TMesh::FT;
-  using vertex_descriptor = typename TMesh::vertex_descriptor;
-  using halfedge_descriptor = typename TMesh::halfedge_descriptor;
-  using face_descriptor = typename TMesh::face_descriptor;
-  using Edit = T_mesh_edit<Graph>;
-  using Overlap = T_mesh_overlap<Graph, FT>;
+  using Graph = typename TMesh::Graph;                                 ///< the T-mesh's graph
+  using Coordinates = T_mesh_coordinates<Const_T_mesh_view_of<TMesh>>; ///< coordinates in the faces
+  using FT = typename TMesh::FT;                                       ///< number type of the knots
+  using vertex_descriptor = typename TMesh::vertex_descriptor;         ///< a vertex of the graph
+  using halfedge_descriptor = typename TMesh::halfedge_descriptor;     ///< a halfedge of the graph
+  using face_descriptor = typename TMesh::face_descriptor;             ///< a face of the graph
+  using Edit = T_mesh_edit<Graph>;                                     ///< the result of an operation
+  using Overlap = T_mesh_overlap<Graph, FT>;                           ///< where two faces touch
 
   /// \pre the knots are admissible
   explicit T_mesh_editor(const TMesh& t_mesh, const Visitor& visitor = Visitor(),
@@ -58,6 +59,7 @@ public:
   {
   }
 
+  /// returns the coordinates in the faces of the T-mesh, as it is now.
   const Coordinates& coordinates() const { return m_surgery.coordinates(); }
 
   /// returns whether operations must leave `v` where it is, with all its edges: it is extraordinary or constrained.

@@ -19,6 +19,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// What holds a T-mesh to the surface while operations change it: of each component one point of a face, whose place
 /// on the surface is known.
 ///
@@ -31,11 +32,14 @@ class T_mesh_roots : public T_mesh_visitor {
   using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
 
 public:
+  /// A point of a face, held to the surface.
   struct Root {
-    T_mesh_place<Graph, FT> place;
+    T_mesh_place<Graph, FT> place;          ///< of the point in the T-mesh
     T_mesh_anchor<TriangleMesh, FT> anchor; ///< its triangle's closure contains the place
   };
 
+  /// chooses the points.
+  /// \param graph the graph of the T-mesh
   /// \param anchors face -> `T_mesh_anchor<TriangleMesh, FT>`, as `trace_motorcycle_graph()` gives them
   template <typename FaceAnchorMap>
   T_mesh_roots(const Graph& graph, const FaceAnchorMap anchors) : m_roots(std::make_shared<std::vector<Root>>())
@@ -64,6 +68,7 @@ public:
     }
   }
 
+  /// returns the points by which the T-mesh is held, one for each component.
   const std::vector<Root>& roots() const { return *m_roots; }
 
   /// takes the points to the new faces.

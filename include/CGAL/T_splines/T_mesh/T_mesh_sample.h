@@ -9,17 +9,18 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// A point of a surface, its place in a T-mesh, and the area that it stands for.
 /// \tparam Graph a model of `FaceGraph`
 /// \tparam Kernel a model of CGAL's `Kernel` whose `FT` is a floating point type
 template <typename Graph, typename Kernel>
 struct T_mesh_sample {
-  using FT = typename Kernel::FT;
-  using Point_3 = typename Kernel::Point_3;
+  using FT = typename Kernel::FT;           ///< number type
+  using Point_3 = typename Kernel::Point_3; ///< a point in space
 
-  T_mesh_place<Graph, FT> place;
-  Point_3 point;
-  FT weight = FT(0); ///< in the units of the points, squared
+  T_mesh_place<Graph, FT> place; ///< where it is in the T-mesh
+  Point_3 point;                 ///< where it is in space
+  FT weight = FT(0);             ///< in the units of the points, squared
 };
 
 } // namespace T_splines

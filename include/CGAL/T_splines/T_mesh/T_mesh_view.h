@@ -26,6 +26,7 @@ using Graph_reference = decltype(std::declval<std::remove_reference_t<T>&>().gra
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesTMesh
 /// A T-mesh with halfedge knots whose parts lie elsewhere: a graph, the property map of its knots and that of its
 /// corners. A model of `TMesh` that refers to all three; a copy refers to the same ones.
 /// \tparam Graph_ a model of `HalfedgeGraph` and `FaceGraph`, `const` if it is not to be changed; it may be non-simple
@@ -36,14 +37,15 @@ using Graph_reference = decltype(std::declval<std::remove_reference_t<T>&>().gra
 template <typename Graph_, typename KnotMap, typename CornerMap>
 class T_mesh_view {
 public:
-  using Graph = std::remove_const_t<Graph_>;
-  using Knot_map = KnotMap;
-  using Corner_map = CornerMap;
+  using Graph = std::remove_const_t<Graph_>;                       ///< the T-mesh's graph
+  using Knot_map = KnotMap;                                        ///< halfedge -> knot interval
+  using Corner_map = CornerMap;                                    ///< halfedge -> whether the face turns at its target
   using FT = typename boost::property_traits<KnotMap>::value_type; ///< of the knots
-  using vertex_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;
-  using halfedge_descriptor = typename boost::graph_traits<Graph>::halfedge_descriptor;
-  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
+  using vertex_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;     ///< a vertex of the graph
+  using halfedge_descriptor = typename boost::graph_traits<Graph>::halfedge_descriptor; ///< a halfedge of the graph
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;         ///< a face of the graph
 
+  /// refers to a graph and its maps.
   T_mesh_view(Graph_& graph, const KnotMap knots, const CornerMap corners)
     : m_graph(&graph),
       m_knots(knots),
@@ -60,13 +62,20 @@ public:
   {
   }
 
+  /// returns the graph of the T-mesh.
   Graph_& graph() const { return *m_graph; }
+  /// returns the knot intervals.
   const KnotMap& knots() const { return m_knots; }
+  /// returns where the faces have their corners.
   const CornerMap& corners() const { return m_corners; }
 
+  /// returns the knot interval of `h`.
   decltype(auto) knot(const halfedge_descriptor h) const { return get(m_knots, h); }
+  /// returns whether the face of `h` turns at the target of `h`.
   bool is_corner(const halfedge_descriptor h) const { return get(m_corners, h); }
+  /// sets the knot interval of `h`.
   void set_knot(const halfedge_descriptor h, const FT& knot) const { put(m_knots, h, knot); }
+  /// sets whether the face of `h` turns at the target of `h`.
   void set_corner(const halfedge_descriptor h, const bool is_corner) const { put(m_corners, h, is_corner); }
 
 private:
@@ -82,15 +91,18 @@ private:
   CornerMap m_corners;
 };
 
+/// \ingroup PkgTSplinesTMesh
 /// The graph of a model of `TMesh`, or of a reference to one.
 template <typename TMesh>
 using T_mesh_graph = typename std::decay_t<TMesh>::Graph;
 
+/// \ingroup PkgTSplinesTMesh
 /// The view of a model of `TMesh`, or of a reference to one, by which its graph can be changed if it is not `const`.
 template <typename TMesh>
 using T_mesh_view_of = T_mesh_view<std::remove_reference_t<internal::Graph_reference<TMesh>>,
                                    typename std::decay_t<TMesh>::Knot_map, typename std::decay_t<TMesh>::Corner_map>;
 
+/// \ingroup PkgTSplinesTMesh
 /// The view of a model of `TMesh` by which its graph cannot be changed.
 template <typename TMesh>
 using Const_T_mesh_view_of = T_mesh_view<const T_mesh_graph<TMesh>, typename std::decay_t<TMesh>::Knot_map,

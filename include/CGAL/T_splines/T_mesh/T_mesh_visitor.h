@@ -13,6 +13,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// Where a part of an old face of a T-mesh went: the frame of `from` goes by `transition` to that of `to`, whose
 /// rectangle is now [0, `width`] x [0, `height`].
 ///
@@ -22,14 +23,17 @@ namespace T_splines {
 /// \tparam FT_ the number type of the knots
 template <typename Graph, typename FT_>
 struct T_mesh_piece {
-  using FT = FT_;
-  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
+  using FT = FT_;                                                               ///< number type of the knots
+  using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor; ///< a face of the graph
 
-  face_descriptor from, to;
-  Similarity_2<FT> transition;
-  FT width, height;
+  face_descriptor from,        ///< the old face
+      to;                      ///< the new face
+  Similarity_2<FT> transition; ///< from the old frame to the new one
+  FT width,                    ///< of the new face
+      height;                  ///< of the new face
 };
 
+/// \ingroup PkgTSplinesTMesh
 /// The visitor of T-mesh operations that does nothing, and the list of what such a visitor offers: a model of
 /// `TMeshVisitor`.
 struct T_mesh_visitor {
@@ -70,12 +74,15 @@ struct T_mesh_visitor {
   }
 };
 
+/// \ingroup PkgTSplinesTMesh
 /// Two visitors of T-mesh operations, called one after the other; a model of `TMeshVisitor`.
 template <typename First, typename Second>
 class T_mesh_visitor_pair {
 public:
+  /// copies both visitors.
   T_mesh_visitor_pair(const First& first, const Second& second) : m_first(first), m_second(second) {}
 
+  /// calls both.
   template <typename Vertex, typename Halfedge>
   void vertex_inserted(const Vertex v, const Halfedge h) const
   {
@@ -83,6 +90,7 @@ public:
     m_second.vertex_inserted(v, h);
   }
 
+  /// calls both.
   template <typename Vertex, typename Halfedge>
   void vertex_removed(const Vertex v, const Halfedge h) const
   {
@@ -90,6 +98,7 @@ public:
     m_second.vertex_removed(v, h);
   }
 
+  /// calls both.
   template <typename Vertex, typename Halfedge>
   void vertex_moved(const Vertex v, const Halfedge h) const
   {
@@ -97,6 +106,7 @@ public:
     m_second.vertex_moved(v, h);
   }
 
+  /// calls both.
   template <typename Halfedge>
   void edge_inserted(const Halfedge h) const
   {
@@ -104,6 +114,7 @@ public:
     m_second.edge_inserted(h);
   }
 
+  /// calls both.
   template <typename Halfedge>
   void edge_removed(const Halfedge h) const
   {
@@ -111,6 +122,7 @@ public:
     m_second.edge_removed(h);
   }
 
+  /// calls both.
   template <typename Graph, typename FT>
   void faces_replaced(const std::vector<T_mesh_piece<Graph, FT>>& pieces) const
   {

@@ -17,6 +17,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// How often the predicates of the tracer were asked.
 struct Predicate_statistics {
   std::size_t calls = 0;       ///< all questions
@@ -33,6 +34,7 @@ struct Enclosed_point {
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesTMesh
 /// The predicates of the tracer of motorcycle graphs, exact: a floating point filter answers nearly all questions, the
 /// number type `FT` the others.
 ///
@@ -42,9 +44,9 @@ struct Enclosed_point {
 template <typename FT_>
 class Exact_tracing_traits {
 public:
-  using FT = FT_;
-  using Coordinate = internal::Enclosed_number<FT>;
-  using Point = internal::Enclosed_point<FT>;
+  using FT = FT_;                                   ///< number type of the map
+  using Coordinate = internal::Enclosed_number<FT>; ///< an enclosure of a coordinate
+  using Point = internal::Enclosed_point<FT>;       ///< an enclosure of a point
 
   /// compares two coordinates.
   CGAL::Comparison_result compare(const Coordinate& a, const Coordinate& b) const
@@ -74,6 +76,7 @@ public:
     return CGAL::sign((q.u.value() - pu) * (r.v.value() - pv) - (q.v.value() - pv) * (r.u.value() - pu));
   }
 
+  /// returns how often the predicates were asked so far.
   const Predicate_statistics& statistics() const { return m_statistics; }
 
 private:
@@ -101,14 +104,15 @@ private:
   mutable Predicate_statistics m_statistics;
 };
 
+/// \ingroup PkgTSplinesTMesh
 /// The predicates of the tracer in plain doubles: for the study of what goes wrong without exactness.
 ///
 /// The same code then traces a graph that need not be a T-mesh.
 class Inexact_tracing_traits {
 public:
-  using FT = double;
-  using Coordinate = internal::Enclosed_number<double>;
-  using Point = internal::Enclosed_point<double>;
+  using FT = double;                                    ///< number type of the map
+  using Coordinate = internal::Enclosed_number<double>; ///< an enclosure of a coordinate
+  using Point = internal::Enclosed_point<double>;       ///< an enclosure of a point
 
   /// compares two coordinates.
   CGAL::Comparison_result compare(const Coordinate& a, const Coordinate& b) const
@@ -125,12 +129,14 @@ public:
                       (q.v.lower - p.v.lower) * (r.u.lower - p.u.lower));
   }
 
+  /// returns how often the predicates were asked so far.
   const Predicate_statistics& statistics() const { return m_statistics; }
 
 private:
   mutable Predicate_statistics m_statistics;
 };
 
+/// \ingroup PkgTSplinesTMesh
 /// The tracing traits for a map whose transitions have the number type `FT`.
 template <typename FT>
 using Default_tracing_traits =

@@ -24,13 +24,23 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// finds the triangles that the faces of a motorcycle graph cover, and where they lie in the frames of the faces.
 /// \tparam TMesh a model of `TMesh` whose graph is one of `FaceListGraph`
 /// \tparam FaceAnchorMap a readable map, face of the T-mesh -> `T_mesh_anchor<TriangleMesh, FT>`
 /// \param map the map on which the T-mesh was traced
 /// \param t_mesh, anchors what `trace_motorcycle_graph()` made of it
-/// \param np optional named parameters:
-///   `CGAL::parameters::vertex_point_map`: points of the mapped mesh (default: its internal map)
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of the mapped mesh}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of the mapped mesh for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return the surface; its points and triangles are the vertices and faces of the mapped mesh, in their order.
 /// \pre neither the T-mesh nor its anchors have changed since it was traced
 /// Complexity: linear in the size of the mesh and in the number of times that faces meet triangles; quadratic in how

@@ -97,6 +97,7 @@ private:
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesTMesh
 /// splits faces of a T-mesh until the sizes change gradually: until no face is, by its longer side, more than `ratio`
 /// times as large as a face that it shares an edge with, in the units of the edge.
 ///
@@ -106,7 +107,16 @@ private:
 /// \tparam TMesh a model of `TMesh` whose graph is one of `MutableFaceGraph` and `FaceListGraph`
 /// \pre the knots are admissible
 /// \param ratio at least 3
-/// \param np named parameters: `visitor`, a model of `TMeshVisitor`
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what follows the changes of the T-mesh}
+///     \cgalParamType{a model of `TMeshVisitor`, copied}
+///     \cgalParamDefault{`T_mesh_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return the number of splits. Complexity: linear in the size of the T-mesh and the number of splits, times the
 /// number of halfedges of a face.
 template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>

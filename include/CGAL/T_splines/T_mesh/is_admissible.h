@@ -141,6 +141,7 @@ private:
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesTMesh
 /// checks whether halfedge knots are admissible on a T-mesh ([CZ17] sections 2.2 and 4).
 ///
 /// Each interval must be positive and finite, each face must have four corners and opposite sides of equal length, and
@@ -148,8 +149,18 @@ private:
 /// types are compared exactly, others to a relative tolerance.
 /// \tparam TMesh a model of `TMesh` whose graph is one of `FaceListGraph` and `VertexListGraph`, with or without border; its
 ///         knots are models of `Field` and `RealEmbeddable`
-/// \param np named parameters: `relative_tolerance`, a `double`, 1e-9 if not given and 0 for exact number types: the
-///        relative difference of opposite sides, and of a product from 1, that counts as round-off
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{relative_tolerance}
+///     \cgalParamDescription{the relative difference of opposite sides, and of a product from 1, that counts as
+///       round-off}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1e-9}
+///     \cgalParamExtra{For exact number types it is 0, whatever is given.}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return the first defect, faces before vertices: the status, the element and how large the defect is. The report
 ///         converts to `true` if there is none.
 /// Complexity: linear.

@@ -60,6 +60,7 @@ bool is_known_admissible(const TMesh& t_mesh, const NamedParameters& np,
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesTMesh
 /// checks whether a T-mesh with halfedge knots carries a T-spline surface ([CZ17] section 4.1.3).
 ///
 /// Beyond admissibility these are the conditions:
@@ -77,7 +78,16 @@ bool is_known_admissible(const TMesh& t_mesh, const NamedParameters& np,
 /// outwards; between two borders there must be at least three intervals in each row.
 /// \tparam TMesh a model of `TMesh` whose graph is one of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`, with
 ///         or without border
-/// \param np named parameters: `relative_tolerance`, as for `is_admissible()`
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{relative_tolerance}
+///     \cgalParamDescription{as for `is_admissible()`}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1e-9, and 0 for exact number types}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return the first defect: the status, which names the condition, and the elements. The report converts to `true` if
 ///         there is none. With exact knots all decisions are exact.
 /// Complexity: linear in the number of pairs of a vertex and a piece of its support, but for a logarithm.

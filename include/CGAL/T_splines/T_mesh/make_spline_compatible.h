@@ -21,14 +21,17 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// What `make_spline_compatible()` did. If it did not succeed, `status` tells what is still wrong; the numbers are
 /// always set but for INADMISSIBLE, and `vertices_in_rings` only upon success.
 /// \tparam Graph a model of `FaceGraph`
 template <typename Graph>
 struct Spline_refinement_report : Spline_compatibility_report<Graph> {
-  std::size_t vertices_before = 0, vertices_after = 0;
-  std::size_t faces_before = 0, faces_after = 0;
-  std::size_t extraordinary_vertices = 0;
+  std::size_t vertices_before = 0,             ///< of the T-mesh that was given
+      vertices_after = 0;                      ///< of the changed T-mesh
+  std::size_t faces_before = 0,                ///< of the T-mesh that was given
+      faces_after = 0;                         ///< of the changed T-mesh
+  std::size_t extraordinary_vertices = 0;      ///< their number
   std::size_t vertices_in_rings = 0;           ///< afterwards, the extraordinary vertices included
   std::size_t splits_for_rings = 0;            ///< condition A
   std::size_t splits_at_border = 0;            ///< TOO_FEW_BORDER_INTERVALS, BORDER_IN_RINGS
@@ -85,6 +88,7 @@ void count_elements(const TMesh& t_mesh, Spline_refinement_report<typename TMesh
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesTMesh
 /// splits faces of a T-mesh with halfedge knots until it carries a T-spline surface: until `is_spline_compatible()`
 /// holds ([CZ17] section 8.2).
 ///
@@ -101,10 +105,28 @@ void count_elements(const TMesh& t_mesh, Spline_refinement_report<typename TMesh
 /// are any close by, or at short fractions of their sides, so that exact knots stay short. New vertices have no point and
 /// no weight: a visitor, or `place_T_mesh()` afterwards, gives them one.
 /// \tparam TMesh a model of `TMesh` whose graph is one of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`
-/// \param np named parameters: `visitor`, a model of `TMeshVisitor`; `number_of_iterations`, a `std::size_t`, the
-///        largest number of splits (1000 and 30 per face, which ends the work on T-meshes that spiral so tightly that C
-///        would ask for ever smaller faces; others need about 10 per face); `relative_tolerance`, as for
-///        `is_admissible()`
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what follows the changes of the T-mesh}
+///     \cgalParamType{a model of `TMeshVisitor`, copied}
+///     \cgalParamDefault{`T_mesh_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{the largest number of splits}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{1000 and 30 per face}
+///     \cgalParamExtra{T-meshes need about 10 per face; the limit ends the work on those that spiral so tightly that
+///       ever smaller faces would follow.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{relative_tolerance}
+///     \cgalParamDescription{as for `is_admissible()`}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1e-9, and 0 for exact number types}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return whether the T-mesh is spline compatible now, and how many splits were made for what. Nothing is changed if
 ///         the status is INADMISSIBLE, UNSUPPORTED_BORDER_VERTEX or TOUCHING_BORDERS.
 /// Complexity: linear in the number of pairs of a vertex and a face of its support, for a few rounds; most of them look

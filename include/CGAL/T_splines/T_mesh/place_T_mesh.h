@@ -24,6 +24,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// finds where a T-mesh that was changed by operations lies on the surface: the points of its vertices and the course
 /// of its edges, which are isolines of the map.
 ///
@@ -33,11 +34,33 @@ namespace T_splines {
 /// \param map the map on which the T-mesh was traced
 /// \param t_mesh what `trace_motorcycle_graph()` made of it and operations changed
 /// \param roots the visitor of these operations
-/// \param np optional named parameters:
-///   `CGAL::parameters::vertex_point_map`: points of the mapped mesh (default: its internal map);
-///   `T_splines::parameters::tracing_traits`: a model of `TracingTraits`, copied (default: `Default_tracing_traits<FT>`);
-///   `T_splines::parameters::output_vertex_point_map`: points of the T-mesh (default: its internal map);
-///   `T_splines::parameters::edge_polyline_map`: as for `trace_motorcycle_graph()`
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of the mapped mesh}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of the mapped mesh for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{tracing_traits}
+///     \cgalParamDescription{the predicates}
+///     \cgalParamType{a model of `TracingTraits`, copied}
+///     \cgalParamDefault{`Default_tracing_traits<FT>`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{output_vertex_point_map}
+///     \cgalParamDescription{receives the points of the vertices of the T-mesh on the surface}
+///     \cgalParamType{a model of `WritablePropertyMap`, vertex of the T-mesh -> `%Point_3`}
+///     \cgalParamDefault{the map of the graph for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_polyline_map}
+///     \cgalParamDescription{receives the course of each edge on the surface, from the source to the target of
+///       `halfedge(e, t_mesh.graph())`: its corners on the edges of the mesh}
+///     \cgalParamType{a model of `WritablePropertyMap`, edge of the T-mesh -> a sequence of points with `push_back()`}
+///     \cgalParamDefault{none is written}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return whether the T-mesh fits: false if an edge leads over a cone or beyond a border; then not all is written.
 /// Complexity: linear in the number of triangles that the edges cross, and in the size of the mapped mesh.
 template <typename TriangleMesh, typename FT, typename TMesh,

@@ -28,6 +28,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// How the refinement of a T-mesh ended.
 enum class T_mesh_refinement_status {
   REFINED,         ///< no face is larger than the target
@@ -36,6 +37,7 @@ enum class T_mesh_refinement_status {
   ITERATION_LIMIT  ///< the allowed number of splits was not enough; `face` was the largest face then
 };
 
+/// \ingroup PkgTSplinesTMesh
 /// returns one sentence that explains `status`.
 inline const char* message(const T_mesh_refinement_status status)
 {
@@ -48,14 +50,17 @@ inline const char* message(const T_mesh_refinement_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesTMesh
 /// What `refine_T_mesh()` did. Members that `status` does not mention have no meaning.
 /// \tparam Graph a model of `FaceGraph`
 template <typename Graph>
 struct T_mesh_refinement_report {
-  T_mesh_refinement_status status = T_mesh_refinement_status::REFINED;
-  std::size_t splits = 0; ///< each adds one face; always set
+  T_mesh_refinement_status status = T_mesh_refinement_status::REFINED; ///< how it ended
+  std::size_t splits = 0;                                              ///< each adds one face; always set
+  /// the face that `status` is about.
   typename boost::graph_traits<Graph>::face_descriptor face = boost::graph_traits<Graph>::null_face();
 
+  /// returns whether `status` tells of success.
   bool success() const { return status == T_mesh_refinement_status::REFINED; }
 };
 
@@ -135,6 +140,7 @@ private:
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesTMesh
 /// splits the faces of a T-mesh until none is larger than a target size ([CZ17] section 9.2: "1-to-2 face splits").
 ///
 /// The largest face comes first. It is split across its longer side, at a vertex in the middle third of one of the two
@@ -148,8 +154,22 @@ private:
 /// \param face_size gives the lengths of a face along u and along v, in any unit: `Parametric_face_size`,
 ///        `Surface_face_size`
 /// \param target_size the largest length allowed, in the same unit; positive
-/// \param np named parameters: `visitor`, a model of `TMeshVisitor`: needed if `face_size` has one;
-///        `number_of_iterations`, a `std::size_t`, the largest number of splits (no bound)
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what follows the changes of the T-mesh}
+///     \cgalParamType{a model of `TMeshVisitor`, copied}
+///     \cgalParamDefault{`T_mesh_visitor`}
+///     \cgalParamExtra{Needed if `face_size` has a visitor.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{the largest number of splits}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{no bound}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return how it ended
 /// Complexity: O(log n) for each split, plus the number of halfedges of the face, plus its size.
 template <typename TMesh, typename FaceSize, typename NamedParameters = CGAL::parameters::Default_named_parameters>

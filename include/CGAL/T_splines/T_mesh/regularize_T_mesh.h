@@ -21,11 +21,15 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesTMesh
 /// What `regularize_T_mesh()` did. An aspect ratio is at least 1.
 struct T_mesh_regularization_report {
-  std::size_t faces_before = 0, faces_after = 0;
-  double worst_aspect_before = 1, worst_aspect_after = 1;
-  double median_aspect_before = 1, median_aspect_after = 1;
+  std::size_t faces_before = 0,     ///< of the T-mesh that was given
+      faces_after = 0;              ///< of the changed T-mesh
+  double worst_aspect_before = 1,   ///< largest aspect ratio
+      worst_aspect_after = 1;       ///< largest aspect ratio
+  double median_aspect_before = 1,  ///< median of the aspect ratios
+      median_aspect_after = 1;      ///< median of the aspect ratios
   std::size_t removals = 0;         ///< edges removed
   std::size_t flips = 0;            ///< edges removed with orthogonal insertion
   std::size_t partial_removals = 0; ///< edges removed in part
@@ -52,6 +56,7 @@ void aspect_statistics(const Graph& graph, const Regularization& regularization,
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesTMesh
 /// makes the faces of a T-mesh squarer by removing edges, wholly or in part ([CZ17] section 8.1).
 ///
 /// Greedily, the face with the worst aspect ratio comes first; of the removals on its long sides the one is executed
@@ -65,9 +70,26 @@ void aspect_statistics(const Graph& graph, const Regularization& regularization,
 /// ratios do not see such gaps, but the knots of a T-spline surface would be as close.
 /// \tparam TMesh a model of `TMesh` whose graph is one of `MutableFaceGraph` and `FaceListGraph`
 /// \pre the knots are admissible
-/// \param np named parameters: `visitor`, a model of `TMeshVisitor`; `vertex_is_constrained_map`, vertices that are
-///        treated as extraordinary ones; `number_of_iterations`, a `std::size_t`, the largest number of operations (no
-///        bound)
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what follows the changes of the T-mesh}
+///     \cgalParamType{a model of `TMeshVisitor`, copied}
+///     \cgalParamDefault{`T_mesh_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_is_constrained_map}
+///     \cgalParamDescription{vertices that are treated as extraordinary ones}
+///     \cgalParamType{a model of `ReadablePropertyMap`, vertex of the T-mesh -> `bool`}
+///     \cgalParamDefault{no vertex is constrained}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{the largest number of operations}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{no bound}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return how many operations were done, and aspect ratios before and after
 /// Complexity: O(log n) for each operation, plus the number of halfedges of the faces that it touches and of their
 /// neighbours; quadratic in the number of T-joints of a single face.

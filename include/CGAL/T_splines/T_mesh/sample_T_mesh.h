@@ -173,6 +173,7 @@ private:
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesTMesh
 /// finds points all over a surface, with their places in the motorcycle graph that was traced on it, and with weights:
 /// what splines are fitted to.
 ///
@@ -189,11 +190,24 @@ private:
 /// \param map the map on which the T-mesh was traced
 /// \param t_mesh, anchors, vertex_places what `trace_motorcycle_graph()` made of it
 /// \param out where the samples are written to
-/// \param np optional named parameters:
-///   `CGAL::parameters::vertex_point_map`: points of the mapped mesh (default: its internal map);
-///   `T_splines::parameters::number_of_samples`: about how many samples a surface with few vertices gets, positive
-///     (default: 20000, or the number of vertices if that is larger); there are at most as many more as there are
-///     vertices, up to rounding, and half as many again if there are several components
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of the mapped mesh}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of the mapped mesh for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_samples}
+///     \cgalParamDescription{about how many samples a surface with few vertices gets}
+///     \cgalParamType{a positive `std::size_t`}
+///     \cgalParamDefault{20000, or the number of vertices if that is larger}
+///     \cgalParamExtra{There are at most as many more as there are vertices, up to rounding, and half as many again if
+///       there are several components.}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return `out` after the last sample.
 /// \pre neither the T-mesh nor its anchors have changed since it was traced
 /// Complexity: linear in the size of the meshes, and, summed over all triangles, in the number of times that faces

@@ -65,6 +65,7 @@ void write_motorcycle_graph_details(const Seamless_map<TriangleMesh, FT>& map,
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesTMesh
 /// traces the motorcycle graph of a seamless map: a T-mesh with admissible halfedge knots ([CZ17] sections 5, 8).
 ///
 /// From every cone, one motorcycle leaves along each isoline; also from the reflex corners of the border. They advance in the order of the
@@ -82,19 +83,56 @@ void write_motorcycle_graph_details(const Seamless_map<TriangleMesh, FT>& map,
 /// \param map a map made by `make_exactly_seamless()`
 /// \param t_mesh the T-mesh; it is written only if the status is SUCCESS, knots and corners not on border halfedges.
 ///   \pre It is empty
-/// \param np optional named parameters:
-///   `CGAL::parameters::vertex_point_map`: points of the mapped mesh (default: its internal map);
-///   `CGAL::parameters::visitor`: a `Progress_visitor`;
-///   `T_splines::parameters::tracing_traits`: a model of `TracingTraits`, copied (default:
-///     `Default_tracing_traits<FT>`);
-///   `T_splines::parameters::output_vertex_point_map`: points of the T-mesh on the surface (default: its internal map);
-///   `T_splines::parameters::vertex_origin_map`: vertex of the T-mesh -> vertex of the mapped mesh that lies there, or
-///     `null_vertex()`;
-///   `T_splines::parameters::vertex_place_map`: vertex of the mapped mesh -> `T_mesh_place<Graph, NT>`; of several
-///     faces one;
-///   `T_splines::parameters::face_anchor_map`: face of the T-mesh -> `T_mesh_anchor<TriangleMesh, FT>`;
-///   `T_splines::parameters::edge_polyline_map`: edge of the T-mesh -> sequence of points (`push_back()`), from the source to
-///     the target of `halfedge(e, t_mesh.graph())`: its corners on the edges of the mesh.
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of the mapped mesh}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of the mapped mesh for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{tracing_traits}
+///     \cgalParamDescription{the predicates}
+///     \cgalParamType{a model of `TracingTraits`, copied}
+///     \cgalParamDefault{`Default_tracing_traits<FT>`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{output_vertex_point_map}
+///     \cgalParamDescription{receives the points of the vertices of the T-mesh on the surface}
+///     \cgalParamType{a model of `WritablePropertyMap`, vertex of the T-mesh -> `%Point_3`}
+///     \cgalParamDefault{the map of the graph for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_origin_map}
+///     \cgalParamDescription{receives the vertex of the mapped mesh that lies at a vertex of the T-mesh, or
+///       `null_vertex()`}
+///     \cgalParamType{a model of `WritablePropertyMap`, vertex of the T-mesh ->
+///       `boost::graph_traits<TriangleMesh>::%vertex_descriptor`}
+///     \cgalParamDefault{none is written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_place_map}
+///     \cgalParamDescription{receives where each vertex of the mapped mesh lies in the T-mesh; of several faces one}
+///     \cgalParamType{a model of `WritablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `T_mesh_place<Graph, NT>`, exact if `NT` is}
+///     \cgalParamDefault{none is written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{face_anchor_map}
+///     \cgalParamDescription{receives how each face of the T-mesh lies on the mapped mesh}
+///     \cgalParamType{a model of `WritablePropertyMap`, face of the T-mesh -> `T_mesh_anchor<TriangleMesh, FT>`}
+///     \cgalParamDefault{none is written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_polyline_map}
+///     \cgalParamDescription{receives the course of each edge on the surface, from the source to the target of
+///       `halfedge(e, t_mesh.graph())`: its corners on the edges of the mesh}
+///     \cgalParamType{a model of `WritablePropertyMap`, edge of the T-mesh -> a sequence of points with `push_back()`}
+///     \cgalParamDefault{none is written}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return what was done. With an exact map and exact traits the status is SUCCESS unless the map is empty or the
 /// visitor stopped the work. Complexity: linear in the size of the mesh and, if no triangle is crossed often, in the
 /// number of crossed triangles; quadratic in the number of crossings of a single triangle.

@@ -10,6 +10,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesIO
 /// How the reading of a file with a cross field or with cones ended.
 enum class Field_file_status {
   SUCCESS,               ///< the file was read
@@ -33,6 +34,7 @@ enum class Field_file_status {
   INCONSISTENT_MATCHING  ///< the matchings of an edge of face `index` are not opposite to each other
 };
 
+/// \ingroup PkgTSplinesIO
 /// returns one sentence that explains `status`.
 inline const char* message(const Field_file_status status)
 {
@@ -60,19 +62,21 @@ inline const char* message(const Field_file_status status)
   return "";
 }
 
+/// \ingroup PkgTSplinesIO
 /// How the reading of a file with a cross field or with cones ended, and where. Elements are counted from 0 in the order in
 /// which the mesh lists them, lines from 1. Members that `status` does not mention have no meaning, but `line`.
 struct Field_file_report {
   /// what `line` and `index` are when none is meant.
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  Field_file_status status = Field_file_status::SUCCESS;
+  Field_file_status status = Field_file_status::SUCCESS; ///< how it ended
   std::size_t line = none;  ///< where reading stopped
   std::size_t index = none; ///< of the face or vertex
-  long long expected = 0;
-  long long actual = 0;
-  std::string text;
+  long long expected = 0;   ///< what `status` compares with
+  long long actual = 0;     ///< what was found
+  std::string text;         ///< what stands there, or the name of a section
 
+  /// returns whether `status` tells of success.
   bool success() const { return status == Field_file_status::SUCCESS; }
 };
 

@@ -21,6 +21,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesIO
 /// reads cones in the format `Th_hat` of ConformalIdealDelaunay and penner-optimization: one number per vertex, in the order
 /// of the mesh, its total angle in radians.
 /// \tparam FaceGraph a model of `FaceListGraph`

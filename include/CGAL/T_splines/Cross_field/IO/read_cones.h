@@ -18,6 +18,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesIO
 /// reads cones in the format `.cones`: one line `vertex k` for each, with the index of the vertex, from 0 in the order of
 /// the mesh, and its number k >= 1 of quarter turns.
 /// \tparam VertexListGraph a model of `VertexListGraph`

@@ -36,6 +36,7 @@ bool parse_crossfield(Field_file_parser& parser, Field_of_vectors<TriangleMesh>&
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesIO
 /// reads a cross field in libigl's format `.crossfield`: the numbers 2 and F, then for each of F faces a flag, 1 where the face
 /// was constrained and else 0, and two vectors v, w, which stand for v, w, -v, -w.
 ///
@@ -47,7 +48,22 @@ bool parse_crossfield(Field_file_parser& parser, Field_of_vectors<TriangleMesh>&
 /// \param input the text; it is read to its end
 /// \param mesh the mesh that the field is for, its faces in the order of the file; borders are allowed
 /// \param cross_field receives one direction of each cross, of length 1; nothing is written upon failure
-/// \param np named parameters: `vertex_point_map`; `geom_traits`
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a geometric traits class}
+///     \cgalParamType{a model of `Kernel`}
+///     \cgalParamDefault{the kernel of the points, a new object}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return what is wrong with the file, and in which line and face.
 template <typename TriangleMesh, typename CrossFieldMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

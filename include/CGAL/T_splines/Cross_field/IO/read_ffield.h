@@ -142,6 +142,7 @@ bool parse_ffield(Field_file_parser& parser, Field_of_vectors<TriangleMesh>& fie
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesIO
 /// reads a cross field with matchings in the format `.ffield` (Myles, Pietroni, Zorin, Robust field-aligned global
 /// parametrization, 2014).
 ///
@@ -158,7 +159,22 @@ bool parse_ffield(Field_file_parser& parser, Field_of_vectors<TriangleMesh>& fie
 /// \param cross_field receives *the* direction of each facet, of length 1
 /// \param matching receives the matchings, in the sense of the named parameter `halfedge_matching_map` of
 ///        `holonomy_signature_of_cross_field()`; nothing is written upon failure
-/// \param np named parameters: `vertex_point_map`; `geom_traits`
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a geometric traits class}
+///     \cgalParamType{a model of `Kernel`}
+///     \cgalParamDefault{the kernel of the points, a new object}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return what is wrong with the file, and in which line and face.
 template <typename TriangleMesh, typename CrossFieldMap, typename HalfedgeMatchingMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -36,6 +36,7 @@ bool parse_rawfield(Field_file_parser& parser, Field_of_vectors<TriangleMesh>& f
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesIO
 /// reads a cross field in Directional's format `.rawfield`: the numbers 4 and F, then four vectors for each of F faces.
 ///
 /// The vectors of a face may come in either rotational order, and have any length. If they are not orthogonal, the cross is the
@@ -46,7 +47,22 @@ bool parse_rawfield(Field_file_parser& parser, Field_of_vectors<TriangleMesh>& f
 /// \param input the text; it is read to its end
 /// \param mesh the mesh that the field is for, its faces in the order of the file; borders are allowed
 /// \param cross_field receives one direction of each cross, of length 1; nothing is written upon failure
-/// \param np named parameters: `vertex_point_map`; `geom_traits`
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a geometric traits class}
+///     \cgalParamType{a model of `Kernel`}
+///     \cgalParamDefault{the kernel of the points, a new object}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return what is wrong with the file, and in which line and face.
 template <typename TriangleMesh, typename CrossFieldMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

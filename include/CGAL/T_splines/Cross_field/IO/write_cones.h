@@ -17,6 +17,7 @@
 namespace CGAL {
 namespace T_splines {
 
+/// \ingroup PkgTSplinesIO
 /// writes the cones of a holonomy signature in the format `.cones`: one line `vertex k` for each vertex with k != 4, with its
 /// index, from 0 in the order of the mesh; by increasing index.
 /// \tparam TriangleMesh a model of `VertexListGraph` and `HalfedgeGraph`

@@ -32,6 +32,7 @@ inline void append_number(std::string& text, const double value)
 
 } // namespace internal
 
+/// \ingroup PkgTSplinesIO
 /// writes a cross field in Directional's format `.rawfield`: the numbers 4 and F, then for each of the F faces, in the order
 /// of the mesh, the four vectors of its cross in counter-clockwise order.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -39,7 +40,16 @@ inline void append_number(std::string& text, const double value)
 /// \param output is written to with 17 digits; its state tells whether this succeeded
 /// \param mesh a triangle mesh
 /// \param cross_field one of the four directions of the cross in each face, tangent to it; its length is kept
-/// \param np named parameters: `vertex_point_map`
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 template <typename TriangleMesh, typename CrossFieldMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 void write_rawfield(std::ostream& output, const TriangleMesh& mesh, const CrossFieldMap& cross_field,
