@@ -14,9 +14,11 @@ called.
 
 A class derived from `CGAL::T_splines::Adaptive_fit_visitor` may define only the functions that it cares for.
 
-\cgalRefines `ProgressVisitor`
+\cgalRefines{ProgressVisitor}
 
-\cgalHasModel `CGAL::T_splines::Adaptive_fit_visitor`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::T_splines::Adaptive_fit_visitor}
+\cgalHasModelsEnd
 */
 class AdaptiveFitVisitor {
 public:

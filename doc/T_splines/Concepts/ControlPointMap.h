@@ -15,18 +15,21 @@ refuses others, in every build, and names the vertex.
 
 `CGAL::T_splines::T_spline_surface` copies the map, and reads it again when its `update_control_points()` is called.
 
-\cgalRefines `ReadablePropertyMap`
-\cgalRefines `WritablePropertyMap`, for `CGAL::T_splines::insert_knot_line()`, which also sets the values of vertices that
-the graph has just added
+\cgalRefines{ReadablePropertyMap}
+\cgalRefinesBare{`WritablePropertyMap` for `CGAL::T_splines::insert_knot_line()`}
+
+`CGAL::T_splines::insert_knot_line()` also sets the values of vertices that the graph has just added.
 
 The key is `boost::graph_traits<TMesh>::%vertex_descriptor`. The value is of a CGAL kernel, which `CGAL::Kernel_traits` tells
 (for `CGAL::T_splines::T_spline_surface` only if its kernel is not given); coordinates and weight are converted to the number
 type of this kernel, by `CGAL::to_double()` if need be. For `CGAL::T_splines::insert_knot_line()` it is constructible from a
 `Point_3` and a weight, or from three coordinates if it has no weight.
 
-\cgalHasModel `CGAL::Surface_mesh<Point_3>::Property_map<Vertex_index, Point_3>`
-\cgalHasModel `CGAL::Surface_mesh<Point_3>::Property_map<Vertex_index, Weighted_point_3>`
-\cgalHasModel `CGAL::T_splines::Control_point_map<VertexPointMap, VertexWeightMap>`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Surface_mesh<Point_3>::Property_map<Vertex_index, Point_3>}
+\cgalHasModels{CGAL::Surface_mesh<Point_3>::Property_map<Vertex_index, Weighted_point_3>}
+\cgalHasModels{CGAL::T_splines::Control_point_map<VertexPointMap, VertexWeightMap>}
+\cgalHasModelsEnd
 
 \sa `CGAL::T_splines::make_control_point_map()`
 */

@@ -16,13 +16,15 @@ refused.
 How a cross continues across an edge is not stored. It is the closest rotation, by at most pi/4, unless the caller has
 matchings and passes them by the named parameter `halfedge_matching_map`; then it matters which of the four is stored.
 
-\cgalRefines `ReadablePropertyMap`, where a field is an input
-\cgalRefines `WritablePropertyMap`, where a field is an output
+\cgalRefinesBare{`ReadablePropertyMap` where a field is an input}
+\cgalRefinesBare{`WritablePropertyMap` where a field is an output}
 
 The key is `boost::graph_traits<TriangleMesh>::%face_descriptor`. The value has `x()`, `y()` and `z()` that
 `CGAL::to_double()` takes, and is constructible from three `double`s where a field is an output.
 
-\cgalHasModel `CGAL::Surface_mesh<Point_3>::Property_map<Face_index, Vector_3>`
-\cgalHasModel `boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Vector_3>>::%type`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Surface_mesh<Point_3>::Property_map<Face_index, Vector_3>}
+\cgalHasModels{boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Vector_3>>::%type}
+\cgalHasModelsEnd
 */
 class CrossFieldMap {};

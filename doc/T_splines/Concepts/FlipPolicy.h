@@ -12,9 +12,11 @@ intrinsic triangulation follows the metric while the metric moves.
 The concept is closed: its models are tags, chosen at compile time, and the algorithms know each of them. A class of
 one's own is not a model.
 
-\cgalRefines `CopyConstructible`
+\cgalRefines{CopyConstructible}
 
-\cgalHasModel `CGAL::T_splines::Ideal_delaunay_flips`
-\cgalHasModel `CGAL::T_splines::Degeneracy_flips`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::T_splines::Ideal_delaunay_flips}
+\cgalHasModels{CGAL::T_splines::Degeneracy_flips}
+\cgalHasModelsEnd
 */
 class FlipPolicy {};

@@ -17,13 +17,15 @@ one to the other: t(uv(h)) = uv(prev(g)), up to round-off.
 
 Values of border halfedges are not used.
 
-\cgalRefines `ReadablePropertyMap`, where a map is an input
-\cgalRefines `WritablePropertyMap`, where a map is an output
+\cgalRefinesBare{`ReadablePropertyMap` where a map is an input}
+\cgalRefinesBare{`WritablePropertyMap` where a map is an output}
 
 The key is `boost::graph_traits<Mesh>::%halfedge_descriptor`. The value is constructible from two `double`s where a map is
 an output, and has `x()` and `y()` where it is an input.
 
-\cgalHasModel `CGAL::Surface_mesh<Point_3>::Property_map<Halfedge_index, Point_2>`
-\cgalHasModel `boost::property_map<Mesh, CGAL::dynamic_halfedge_property_t<Point_2>>::%type`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Surface_mesh<Point_3>::Property_map<Halfedge_index, Point_2>}
+\cgalHasModels{boost::property_map<Mesh, CGAL::dynamic_halfedge_property_t<Point_2>>::%type}
+\cgalHasModelsEnd
 */
 class HalfedgeUVMap {};

@@ -14,9 +14,11 @@ are called on `const` objects, from the thread that called the algorithm, and sh
 A class derived from `CGAL::T_splines::Progress_visitor` may define only the functions that it cares for: they are
 not virtual, the algorithm calls those of the type that it was given.
 
-\cgalRefines `CopyConstructible`
+\cgalRefines{CopyConstructible}
 
-\cgalHasModel `CGAL::T_splines::Progress_visitor`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::T_splines::Progress_visitor}
+\cgalHasModelsEnd
 */
 class ProgressVisitor {
 public:

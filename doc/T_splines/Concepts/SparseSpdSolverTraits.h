@@ -15,14 +15,16 @@ Matrices are `CGAL::T_splines::Symmetric_sparse_matrix<FT>`, the lower triangle 
 A model reports failure by its return values. It throws nothing but `std::bad_alloc` and prints nothing. No function
 may run in two threads on one object, nor on objects that share their state.
 
-\cgalRefines `DefaultConstructible`
-\cgalRefines `MoveConstructible`
+\cgalRefines{DefaultConstructible}
+\cgalRefines{MoveConstructible}
 
 A model that is also `CopyConstructible` can be passed by value to the named parameter `sparse_linear_solver`; others
 are passed by `std::ref()`. Copies may share their state: an algorithm works with one of them.
 
-\cgalHasModel `CGAL::T_splines::Eigen_spd_solver_traits`
-\cgalHasModel `CGAL::T_splines::Cholmod_spd_solver_traits`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::T_splines::Eigen_spd_solver_traits}
+\cgalHasModels{CGAL::T_splines::Cholmod_spd_solver_traits}
+\cgalHasModelsEnd
 */
 class SparseSpdSolverTraits {
 public:

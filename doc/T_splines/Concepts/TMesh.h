@@ -11,11 +11,13 @@ in the units of its face, and where the faces have their corners.
 The functions that change a T-mesh take it by a forwarding reference, so that a view may be made where it is needed. What
 a `const` model refers to may change all the same, as with property maps of CGAL.
 
-\cgalRefines `CopyConstructible`
+\cgalRefines{CopyConstructible}
 
-\cgalHasModel `CGAL::T_splines::T_mesh<Point_3, FT>`: a value, with a graph of its own
-\cgalHasModel `CGAL::T_splines::T_spline<Kernel>`: the same with weights
-\cgalHasModel `CGAL::T_splines::T_mesh_view<Graph, KnotMap, CornerMap>`: refers to a graph and maps that lie elsewhere
+\cgalHasModelsBegin
+\cgalHasModelsBare{`CGAL::T_splines::T_mesh<Point_3, FT>`: a value, with a graph of its own}
+\cgalHasModelsBare{`CGAL::T_splines::T_spline<Kernel>`: the same with weights}
+\cgalHasModelsBare{`CGAL::T_splines::T_mesh_view<Graph, KnotMap, CornerMap>`: refers to a graph and maps that lie elsewhere}
+\cgalHasModelsEnd
 */
 class TMesh {
 public:
@@ -47,9 +49,19 @@ public:
   typedef unspecified_type FT;
 
   /*!
-  the descriptors of `Graph`.
+  a vertex of `Graph`.
   */
-  typedef unspecified_type vertex_descriptor, halfedge_descriptor, face_descriptor;
+  typedef unspecified_type vertex_descriptor;
+
+  /*!
+  a halfedge of `Graph`.
+  */
+  typedef unspecified_type halfedge_descriptor;
+
+  /*!
+  a face of `Graph`.
+  */
+  typedef unspecified_type face_descriptor;
 
   /// @}
 
@@ -62,9 +74,13 @@ public:
   Graph& graph();
 
   /*!
-  return the maps.
+  returns the map of the knot intervals.
   */
   Knot_map knots() const;
+
+  /*!
+  returns the map of the corners.
+  */
   Corner_map corners() const;
 
   /// @}

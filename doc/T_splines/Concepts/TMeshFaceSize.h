@@ -9,8 +9,10 @@ The concept `TMeshFaceSize` describes how `CGAL::T_splines::refine_T_mesh()` mea
 
 The refinement ends only if the size of a face tends to zero together with its extent in the parameter domain.
 
-\cgalHasModel `CGAL::T_splines::Parametric_face_size`
-\cgalHasModel `CGAL::T_splines::Surface_face_size`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::T_splines::Parametric_face_size}
+\cgalHasModels{CGAL::T_splines::Surface_face_size}
+\cgalHasModelsEnd
 */
 class TMeshFaceSize {
 public:

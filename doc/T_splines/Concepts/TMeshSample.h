@@ -11,9 +11,11 @@ The concept `TMeshSample` describes a sample, an element of the ranges to which 
 Values are checked in every build, and the number of the first sample that is refused is reported: coordinates and
 weight are finite, the weight is not negative, and the place is in the closed rectangle of its face, up to round-off.
 
-\cgalRefines `CopyConstructible`
+\cgalRefines{CopyConstructible}
 
-\cgalHasModel `CGAL::T_splines::T_mesh_sample<Graph, Kernel>`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::T_splines::T_mesh_sample<Graph, Kernel>}
+\cgalHasModelsEnd
 
 \sa `CGAL::T_splines::sample_T_mesh()`
 */

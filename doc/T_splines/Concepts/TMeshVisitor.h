@@ -16,12 +16,16 @@ are called on `const` objects. They must not change the T-mesh.
 A class derived from `CGAL::T_splines::T_mesh_visitor` may define only the functions that it cares for: they are
 not virtual, the algorithm calls those of the type that it was given.
 
-\cgalRefines `CopyConstructible`
+\cgalRefines{CopyConstructible}
 
-\cgalHasModel `CGAL::T_splines::T_mesh_visitor`
-\cgalHasModel `CGAL::T_splines::T_mesh_visitor_pair`
-\cgalHasModel `CGAL::T_splines::Carried_points::Visitor`
-\cgalHasModel `CGAL::T_splines::Surface_face_size::Visitor`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::T_splines::T_mesh_visitor}
+\cgalHasModels{CGAL::T_splines::T_mesh_visitor_pair}
+\cgalHasModels{CGAL::T_splines::T_mesh_roots}
+\cgalHasModels{CGAL::T_splines::Carried_points::Visitor}
+\cgalHasModels{CGAL::T_splines::Carried_surface::Visitor}
+\cgalHasModels{CGAL::T_splines::Surface_face_size::Visitor}
+\cgalHasModelsEnd
 */
 class TMeshVisitor {
 public:

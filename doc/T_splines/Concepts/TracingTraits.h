@@ -12,10 +12,12 @@ right in every special position.
 Coordinates are given as enclosures: a number has an interval `[lower, upper]` of doubles and, unless both are equal and the
 number is this double, a pointer `exact` to its value; `value()` is the number in the type `FT`.
 
-\cgalRefines `CopyConstructible`
+\cgalRefines{CopyConstructible}
 
-\cgalHasModel `CGAL::T_splines::Exact_tracing_traits<FT>`
-\cgalHasModel `CGAL::T_splines::Inexact_tracing_traits`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::T_splines::Exact_tracing_traits<FT>}
+\cgalHasModels{CGAL::T_splines::Inexact_tracing_traits}
+\cgalHasModelsEnd
 */
 class TracingTraits {
 public:

@@ -12,6 +12,8 @@ namespace T_splines {
 ///
 /// The functions of this package take a visitor by the named parameter `visitor` and copy it freely: one with state
 /// keeps a pointer or reference to it.
+///
+/// \cgalModels{ProgressVisitor}
 struct Progress_visitor {
   /// is called when a stage begins; `name` is a string literal such as "cross field".
   void begin_stage(const char* /*name*/) const {}

@@ -14,6 +14,8 @@ namespace T_splines {
 /// unscaled lengths. No triangle inequality blocks a step, and each step is a damped Newton step on a convex energy
 /// (B. Springborn: Ideal hyperbolic polyhedra and discrete uniformization, 2020; M. Gillespie, B. Springborn, K. Crane:
 /// Discrete conformal equivalence of polyhedral surfaces, 2021).
+///
+/// \cgalModels{FlipPolicy}
 struct Ideal_delaunay_flips {};
 
 /// \ingroup PkgTSplinesSimilarityMap
@@ -21,6 +23,8 @@ struct Ideal_delaunay_flips {};
 ///
 /// A step ends where the first triangle degenerates; the longest edge of each degenerate triangle is flipped there. The
 /// iteration is not damped and can stall.
+///
+/// \cgalModels{FlipPolicy}
 struct Degeneracy_flips {
   /// Whether the scaled metric's triangulation is made intrinsically Delaunay after each step ([CZ17] section 7.3.1,
   /// Remark).

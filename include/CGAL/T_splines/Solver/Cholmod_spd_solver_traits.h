@@ -33,7 +33,8 @@ namespace T_splines {
 ///
 /// The header is empty unless `CGAL_T_SPLINES_WITH_CHOLMOD` is defined; the CMake target `T_splines::Cholmod_support`
 /// does this. Copies share one solver. Nothing is printed.
-/// \cgalModels `SparseSpdSolverTraits`
+///
+/// \cgalModels{SparseSpdSolverTraits}
 class Cholmod_spd_solver_traits {
 public:
   using FT = double; ///< number type

@@ -30,7 +30,9 @@ namespace T_splines {
 /// Pardiso's and Accelerate's. Of an iterative solver, `factorize()` makes the preconditioner.
 ///
 /// Copies share one solver, as those of `CGAL::Eigen_solver_traits` do.
-/// \cgalModels `SparseSpdSolverTraits`
+///
+/// \cgalModels{SparseSpdSolverTraits}
+///
 /// \tparam EigenSolver a sparse solver of Eigen whose `MatrixType` is a column-major `Eigen::SparseMatrix`.
 template <typename EigenSolver = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>
 class Eigen_spd_solver_traits {

@@ -21,6 +21,9 @@ namespace T_splines {
 /// The control points of a T-spline surface, of a map of points and one of weights.
 ///
 /// A read/write map, vertex -> `Kernel::Weighted_point_3`: euclidean coordinates, not multiplied by the weight.
+///
+/// \cgalModels{ControlPointMap}
+///
 /// \tparam VertexPointMap a map, vertex -> `Kernel::Point_3`
 /// \tparam VertexWeightMap a map, vertex -> number
 template <typename VertexPointMap, typename VertexWeightMap>

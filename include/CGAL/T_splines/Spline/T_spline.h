@@ -22,6 +22,9 @@ namespace T_splines {
 ///
 /// It is data: `surface()` makes of it what can be evaluated, `compile_T_spline()` patches of that. `read_t_mesh()` and
 /// `write_t_mesh()` read and write it, weights included.
+///
+/// \cgalModels{TMesh}
+///
 /// \tparam Kernel_ a CGAL kernel
 template <typename Kernel_ = CGAL::Exact_predicates_inexact_constructions_kernel>
 class T_spline {

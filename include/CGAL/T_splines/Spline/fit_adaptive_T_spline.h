@@ -37,6 +37,8 @@ namespace T_splines {
 /// \ingroup PkgTSplinesSpline
 /// The visitor of an adaptive fit that does nothing, and the list of what such a visitor offers: a `Progress_visitor`
 /// that also sees the levels.
+///
+/// \cgalModels{AdaptiveFitVisitor}
 struct Adaptive_fit_visitor : Progress_visitor {
   /// is called when a level is fitted, with its T-mesh, a model of `TMesh`, whose points are the control points. It does
   /// not last.

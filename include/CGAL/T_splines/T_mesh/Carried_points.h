@@ -44,6 +44,8 @@ public:
   };
 
   /// The visitor that moves the points from old faces to new ones, a model of `TMeshVisitor`. It refers to the points.
+  ///
+  /// \cgalModels{TMeshVisitor}
   class Visitor : public T_mesh_visitor {
   public:
     /// refers to `points`.

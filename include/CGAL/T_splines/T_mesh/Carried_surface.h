@@ -50,6 +50,8 @@ public:
   };
 
   /// The visitor that moves the images from old faces to new ones, a model of `TMeshVisitor`. It refers to the surface.
+  ///
+  /// \cgalModels{TMeshVisitor}
   class Visitor : public T_mesh_visitor {
   public:
     /// refers to `surface`.

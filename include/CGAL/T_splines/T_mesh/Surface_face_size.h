@@ -25,6 +25,9 @@ namespace T_splines {
 /// \ingroup PkgTSplinesTMesh
 /// The size of the faces of a T-mesh in the parameter domain: a model of `TMeshFaceSize`. Only for T-meshes whose
 /// knots agree on both sides of each edge this is a size that means the same everywhere.
+///
+/// \cgalModels{TMeshFaceSize}
+///
 /// \tparam TMesh as for `T_mesh_coordinates`
 template <typename TMesh>
 class Parametric_face_size {
@@ -55,6 +58,9 @@ private:
 /// had less than two points from the start has size zero: add its corners.
 ///
 /// Functions that change the T-mesh must be given `visitor()`.
+///
+/// \cgalModels{TMeshFaceSize}
+///
 /// \tparam Points a `Carried_points` whose payload is a point with `x()`, `y()`, `z()`
 /// \tparam TMesh as for `T_mesh_coordinates`
 template <typename TMesh, typename Points>
@@ -65,6 +71,8 @@ public:
   using face_descriptor = typename Coordinates::face_descriptor; ///< a face of the graph
 
   /// The visitor that follows the changes of the faces, those of the points included; a model of `TMeshVisitor`.
+  ///
+  /// \cgalModels{TMeshVisitor}
   class Visitor : public T_mesh_visitor {
   public:
     /// refers to `size`.

@@ -54,6 +54,9 @@ void copy_T_mesh(const FromTMesh& from, ToTMesh&& to)
 ///
 /// The graph is a `Surface_mesh`; whatever else belongs to the T-mesh, control points and anchors for instance, is in
 /// its points and property maps, which are copied, too.
+///
+/// \cgalModels{TMesh}
+///
 /// \tparam Point_3_ the points of the vertices
 /// \tparam FT_ the number type of the knots
 template <typename Point_3_, typename FT_ = double>

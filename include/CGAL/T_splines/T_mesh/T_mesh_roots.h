@@ -24,6 +24,9 @@ namespace T_splines {
 /// on the surface is known.
 ///
 /// A model of `TMeshVisitor`: give it to the operations, and afterwards to `place_T_mesh()`. Copies share their state.
+///
+/// \cgalModels{TMeshVisitor}
+///
 /// \tparam TriangleMesh the mapped mesh
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeGraph`
 /// \tparam FT the number type of the map

@@ -11,6 +11,9 @@ namespace T_splines {
 
 /// \ingroup PkgTSplinesTMesh
 /// A point of a surface, its place in a T-mesh, and the area that it stands for.
+///
+/// \cgalModels{TMeshSample}
+///
 /// \tparam Graph a model of `FaceGraph`
 /// \tparam Kernel a model of CGAL's `Kernel` whose `FT` is a floating point type
 template <typename Graph, typename Kernel>

@@ -29,6 +29,9 @@ using Graph_reference = decltype(std::declval<std::remove_reference_t<T>&>().gra
 /// \ingroup PkgTSplinesTMesh
 /// A T-mesh with halfedge knots whose parts lie elsewhere: a graph, the property map of its knots and that of its
 /// corners. A model of `TMesh` that refers to all three; a copy refers to the same ones.
+///
+/// \cgalModels{TMesh}
+///
 /// \tparam Graph_ a model of `HalfedgeGraph` and `FaceGraph`, `const` if it is not to be changed; it may be non-simple
 /// \tparam KnotMap a readable map, halfedge -> the knot interval of the halfedge in the units of its face; it is not
 ///         read at border halfedges. To change the T-mesh it must be writable, also at halfedges that the graph has just

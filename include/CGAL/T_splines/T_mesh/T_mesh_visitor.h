@@ -36,6 +36,8 @@ struct T_mesh_piece {
 /// \ingroup PkgTSplinesTMesh
 /// The visitor of T-mesh operations that does nothing, and the list of what such a visitor offers: a model of
 /// `TMeshVisitor`.
+///
+/// \cgalModels{TMeshVisitor}
 struct T_mesh_visitor {
   /// is called after the vertex `v` was inserted into an edge; `h` ends at `v`, and `next(h)` is the other part.
   template <typename Vertex, typename Halfedge>
@@ -76,6 +78,8 @@ struct T_mesh_visitor {
 
 /// \ingroup PkgTSplinesTMesh
 /// Two visitors of T-mesh operations, called one after the other; a model of `TMeshVisitor`.
+///
+/// \cgalModels{TMeshVisitor}
 template <typename First, typename Second>
 class T_mesh_visitor_pair {
 public:

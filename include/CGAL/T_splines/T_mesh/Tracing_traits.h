@@ -40,6 +40,9 @@ struct Enclosed_point {
 ///
 /// A model of the concept `TracingTraits`: `Compare` and `Orientation` are the only questions that the tracer asks, the
 /// first of two coordinates of one chart, the second of three points of one chart.
+///
+/// \cgalModels{TracingTraits}
+///
 /// \tparam FT_ an exact field type, the `FT` of the map
 template <typename FT_>
 class Exact_tracing_traits {
@@ -108,6 +111,8 @@ private:
 /// The predicates of the tracer in plain doubles: for the study of what goes wrong without exactness.
 ///
 /// The same code then traces a graph that need not be a T-mesh.
+///
+/// \cgalModels{TracingTraits}
 class Inexact_tracing_traits {
 public:
   using FT = double;                                    ///< number type of the map
