@@ -167,6 +167,7 @@ void format_t_mesh(Sink& sink, const TMesh& t_mesh, const NamedParameters& np)
 /// \tparam TMesh a model of `TMesh` whose graph is one of `FaceListGraph` and `HalfedgeListGraph`, a `T_spline` for
 ///   instance
 /// \param out receives the file
+/// \param t_mesh the T-mesh
 /// \param np an optional sequence of named parameters among these:
 ///
 /// \cgalNamedParamsBegin

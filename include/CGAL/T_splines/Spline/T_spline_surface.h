@@ -344,12 +344,14 @@ private:
   T_spline_report<Graph> m_report;
 };
 
+/// \cond INTERNAL
 template <typename TMesh, typename ControlPointMap>
 T_spline_surface(const TMesh&, ControlPointMap) -> T_spline_surface<Const_T_mesh_view_of<TMesh>, ControlPointMap>;
 
 template <typename TMesh, typename ControlPointMap, typename NamedParameters>
 T_spline_surface(const TMesh&, ControlPointMap, const NamedParameters&)
     -> T_spline_surface<Const_T_mesh_view_of<TMesh>, ControlPointMap>;
+/// \endcond
 
 } // namespace T_splines
 } // namespace CGAL

@@ -233,6 +233,7 @@ private:
 /// \tparam ControlPointMap a read/write map, vertex -> control point: `Kernel::Weighted_point_3`, as of
 ///         `Control_point_map`, or `Kernel::Point_3`, whose weights are 1 and stay so. Its values may also be set at
 ///         vertices that the graph has just added.
+/// \param t_mesh the T-mesh of the surface; it is changed
 /// \param control_points those of three vertices of each row change, the new one included; all are affine combinations
 ///        of two, in homogeneous coordinates
 /// \param f, axis, x the line is u = `x` in the frame of `f` if `axis` is 0, v = `x` if it is 1. With inexact knots, it

@@ -24,6 +24,7 @@ namespace T_splines {
 /// At a cone it is k_v of the holonomy signature, at other inner vertices 4, at regular vertices of a border 2.
 /// \tparam TMesh a model of `TMesh`; a vertex may occur several times on a face
 /// \param v a vertex of `t_mesh` with at least one edge
+/// \param t_mesh the T-mesh
 template <typename TMesh>
 int extended_valence(const typename TMesh::vertex_descriptor v, const TMesh& t_mesh)
 {
@@ -198,8 +199,10 @@ private:
   TMesh m_t_mesh;
 };
 
+/// \cond INTERNAL
 template <typename TMesh>
 T_mesh_coordinates(const TMesh&) -> T_mesh_coordinates<Const_T_mesh_view_of<TMesh>>;
+/// \endcond
 
 } // namespace T_splines
 } // namespace CGAL

@@ -352,6 +352,7 @@ private:
   VertexIsConstrainedMap m_vertex_is_constrained;
 };
 
+/// \cond INTERNAL
 template <typename TMesh>
 T_mesh_editor(TMesh&&) -> T_mesh_editor<T_mesh_view_of<TMesh>>;
 
@@ -361,6 +362,7 @@ T_mesh_editor(TMesh&&, const Visitor&) -> T_mesh_editor<T_mesh_view_of<TMesh>, V
 template <typename TMesh, typename Visitor, typename VertexIsConstrainedMap>
 T_mesh_editor(TMesh&&, const Visitor&, VertexIsConstrainedMap)
     -> T_mesh_editor<T_mesh_view_of<TMesh>, Visitor, VertexIsConstrainedMap>;
+/// \endcond
 
 } // namespace T_splines
 } // namespace CGAL

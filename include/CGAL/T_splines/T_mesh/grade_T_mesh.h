@@ -106,6 +106,7 @@ private:
 /// beside it, so that it ends.
 /// \tparam TMesh a model of `TMesh` whose graph is one of `MutableFaceGraph` and `FaceListGraph`
 /// \pre the knots are admissible
+/// \param t_mesh the T-mesh that is changed
 /// \param ratio at least 3
 /// \param np an optional sequence of named parameters among these:
 ///

@@ -149,6 +149,7 @@ private:
 /// types are compared exactly, others to a relative tolerance.
 /// \tparam TMesh a model of `TMesh` whose graph is one of `FaceListGraph` and `VertexListGraph`, with or without border; its
 ///         knots are models of `Field` and `RealEmbeddable`
+/// \param t_mesh the T-mesh
 /// \param np an optional sequence of named parameters among these:
 ///
 /// \cgalNamedParamsBegin

@@ -78,6 +78,7 @@ bool is_known_admissible(const TMesh& t_mesh, const NamedParameters& np,
 /// outwards; between two borders there must be at least three intervals in each row.
 /// \tparam TMesh a model of `TMesh` whose graph is one of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`, with
 ///         or without border
+/// \param t_mesh the T-mesh
 /// \param np an optional sequence of named parameters among these:
 ///
 /// \cgalNamedParamsBegin

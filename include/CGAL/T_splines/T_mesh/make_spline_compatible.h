@@ -105,6 +105,7 @@ void count_elements(const TMesh& t_mesh, Spline_refinement_report<typename TMesh
 /// are any close by, or at short fractions of their sides, so that exact knots stay short. New vertices have no point and
 /// no weight: a visitor, or `place_T_mesh()` afterwards, gives them one.
 /// \tparam TMesh a model of `TMesh` whose graph is one of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`
+/// \param t_mesh the T-mesh that is changed
 /// \param np an optional sequence of named parameters among these:
 ///
 /// \cgalNamedParamsBegin

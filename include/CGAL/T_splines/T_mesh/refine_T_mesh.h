@@ -151,6 +151,7 @@ private:
 /// \tparam TMesh a model of `TMesh` whose graph is one of `MutableFaceGraph` and `FaceListGraph`
 /// \tparam FaceSize a model of `TMeshFaceSize`; it is not copied, so that it may follow the changes
 /// \pre the knots are admissible
+/// \param t_mesh the T-mesh that is changed
 /// \param face_size gives the lengths of a face along u and along v, in any unit: `Parametric_face_size`,
 ///        `Surface_face_size`
 /// \param target_size the largest length allowed, in the same unit; positive

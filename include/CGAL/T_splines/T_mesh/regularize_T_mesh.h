@@ -70,6 +70,7 @@ void aspect_statistics(const Graph& graph, const Regularization& regularization,
 /// ratios do not see such gaps, but the knots of a T-spline surface would be as close.
 /// \tparam TMesh a model of `TMesh` whose graph is one of `MutableFaceGraph` and `FaceListGraph`
 /// \pre the knots are admissible
+/// \param t_mesh the T-mesh that is changed
 /// \param np an optional sequence of named parameters among these:
 ///
 /// \cgalNamedParamsBegin
