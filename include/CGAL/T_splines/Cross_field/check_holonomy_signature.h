@@ -104,6 +104,7 @@ void check_loops(const Closed_mesh<TriangleMesh>& mesh, const Holonomy_signature
 ///
 /// \return the status INVALID_MESH, NULL_VERTEX, NON_POSITIVE_CONE, GAUSS_BONNET_VIOLATED, INVALID_LOOP,
 ///         WRONG_NUMBER_OF_LOOPS, DEPENDENT_LOOPS or VALID.
+///
 /// Complexity: O(n log n) in the number of faces, and O(g^3) per component.
 template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Holonomy_signature_report<TriangleMesh>

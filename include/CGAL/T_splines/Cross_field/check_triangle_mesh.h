@@ -205,6 +205,7 @@ Triangle_mesh_report<TriangleMesh> check_mesh_geometry(const TriangleMesh& mesh,
 /// \cgalNamedParamsEnd
 ///
 /// \return the first defect found, and the element that has it.
+///
 /// Complexity: linear.
 template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Triangle_mesh_report<TriangleMesh> check_triangle_mesh(const TriangleMesh& mesh,

@@ -110,6 +110,7 @@ void add_loops(const Closed_mesh<TriangleMesh>& mesh, const NamedParameters& np,
 ///
 /// \return the status INVALID_MESH, NULL_VERTEX, DUPLICATE_CONE, NON_POSITIVE_CONE, GAUSS_BONNET_VIOLATED,
 ///         WRONG_NUMBER_OF_TURNS or VALID.
+///
 /// Complexity: O(n log n) in the number of faces.
 template <typename TriangleMesh, typename ConeRange,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

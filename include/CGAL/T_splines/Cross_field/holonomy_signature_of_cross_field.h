@@ -108,6 +108,7 @@ void signature_of_rotations(const Closed_mesh<TriangleMesh>& mesh, const std::ve
 ///
 /// \return the status INVALID_MESH, INVALID_FIELD, VERTEX_NOT_INTEGER, LOOP_NOT_INTEGER, NON_POSITIVE_CONE (a field that turns
 ///         by a full turn or more at a vertex), GAUSS_BONNET_VIOLATED (impossible without given matchings) or VALID.
+///
 /// Complexity: O(n log n) in the number of faces.
 template <typename TriangleMesh, typename CrossFieldMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

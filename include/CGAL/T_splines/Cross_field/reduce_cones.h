@@ -194,6 +194,7 @@ void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& ener
 /// \cgalNamedParamsEnd
 ///
 /// \return what was done. Equal input gives equal results.
+///
 /// Complexity: with m cones, and if some are to be split up to 400 vertices more, a sparse factorization of one row per
 /// vertex and m + 2g + 1 solves, O(m^2) numbers of memory, O(m^2) per merge, and if g > 0 at most two searches of
 /// shortest paths per cone. Where m^2 g exceeds some millions only the nearest cones are merged with each other, from at

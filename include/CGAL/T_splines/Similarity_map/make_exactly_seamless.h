@@ -107,6 +107,7 @@ Exact_map_report<TriangleMesh> exact_map_report(const Mesh_indexing<TriangleMesh
 /// \cgalNamedParamsEnd
 ///
 /// \return what was done; or the first defect found and the element that has it, all of them for triangles.
+///
 /// Complexity: linear in the size of the mesh, with exact numbers only on the seams.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename FT,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -59,6 +59,7 @@ public:
 
   /// returns the point of the mesh that is closest to p. \pre `is_valid()`; the coordinates of p are finite
   /// \tparam Point a point with `x()`, `y()`, `z()`
+  ///
   /// Complexity: as a rule logarithmic.
   template <typename Point>
   Point_3 closest_point(const Point& p) const

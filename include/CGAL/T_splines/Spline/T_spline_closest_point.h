@@ -99,6 +99,7 @@ private:
 
 public:
   /// prepares the queries. \pre `surface.is_valid()`, if it is a `T_spline_surface`; it has faces
+  ///
   /// Complexity: that of `compile_T_spline()`, and N log N in the number N of patches.
   explicit T_spline_closest_point(const Surface& surface) : m_compiled(compiled(surface))
   {

@@ -167,6 +167,7 @@ public:
   bool is_at_extraordinary_vertex(const face_descriptor f) const { return m_basis->cone_face_of(index(f)) >= 0; }
 
   /// returns the point at (u, v) of a face. \pre `is_valid()`; 0 <= u <= width, 0 <= v <= height
+  ///
   /// Complexity: linear in the number of basis functions that act in the face.
   Point_3 position(const face_descriptor f, const FT& u, const FT& v) const
   {

@@ -32,6 +32,7 @@ namespace T_splines {
 /// \cgalNamedParamsEnd
 ///
 /// \return the patches; they do not depend on `surface` any more, but on its T-mesh.
+///
 /// Complexity: linear in the number of pairs of a basis function and a patch where it acts.
 template <typename Surface, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Compiled_T_spline<typename Surface::Graph, typename Surface::Kernel>

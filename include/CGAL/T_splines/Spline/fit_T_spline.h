@@ -143,6 +143,7 @@ auto control_point_weights(const Graph&, const NamedParameters& np)
 /// \cgalNamedParamsEnd
 ///
 /// \return whether the surface was fitted, if not, why, and how far it is from the samples
+///
 /// Complexity: for each fit linear in the number of samples times the squared number of basis functions that act in a
 /// face (about 20), and one sparse factorization.
 template <typename TMesh, typename SampleRange, typename VertexPointMap,

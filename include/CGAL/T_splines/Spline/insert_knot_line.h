@@ -257,6 +257,7 @@ private:
 ///         tells why, and where. With exact knots all decisions are exact; with inexact ones the surface changes by
 ///         round-off.
 /// \pre `axis` is 0 or 1
+///
 /// Complexity: linear in the number of pairs of a vertex and a face of its support, since the whole T-mesh is checked.
 template <typename TMesh, typename ControlPointMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

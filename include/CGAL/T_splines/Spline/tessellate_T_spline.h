@@ -44,6 +44,7 @@ struct T_spline_tessellation {
 /// \param surface \pre it is valid
 /// \param resolution n >= 2: each side of a face is divided into at least n parts, its inside into n x n cells
 /// \return places and triangles; evaluate the surface there: `surface.positions(tessellation.places, ...)`.
+///
 /// Complexity: linear in the size of the result.
 template <typename Surface>
 T_spline_tessellation<typename Surface::Graph, typename Surface::FT> tessellate_parameter_domain(const Surface& surface,

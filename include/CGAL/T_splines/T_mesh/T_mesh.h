@@ -22,6 +22,7 @@ namespace T_splines {
 /// \tparam FromTMesh, ToTMesh models of `TMesh`, the graphs of `FaceListGraph` and `VertexListGraph`, that of `to` of
 ///         `MutableFaceGraph`; knots are converted, exact ones to doubles rounded
 /// \pre `to` has no vertices
+///
 /// Complexity: linear.
 template <typename FromTMesh, typename ToTMesh>
 void copy_T_mesh(const FromTMesh& from, ToTMesh&& to)

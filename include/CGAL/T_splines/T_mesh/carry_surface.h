@@ -43,6 +43,7 @@ namespace T_splines {
 ///
 /// \return the surface; its points and triangles are the vertices and faces of the mapped mesh, in their order.
 /// \pre neither the T-mesh nor its anchors have changed since it was traced
+///
 /// Complexity: linear in the size of the mesh and in the number of times that faces meet triangles; quadratic in how
 /// often one face meets one triangle.
 template <typename TriangleMesh, typename FT, typename TMesh, typename FaceAnchorMap,

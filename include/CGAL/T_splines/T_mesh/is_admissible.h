@@ -164,6 +164,7 @@ private:
 ///
 /// \return the first defect, faces before vertices: the status, the element and how large the defect is. The report
 ///         converts to `true` if there is none.
+///
 /// Complexity: linear.
 template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Admissibility_report<T_mesh_graph<TMesh>> is_admissible(const TMesh& t_mesh,

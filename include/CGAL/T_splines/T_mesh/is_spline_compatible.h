@@ -91,6 +91,7 @@ bool is_known_admissible(const TMesh& t_mesh, const NamedParameters& np,
 ///
 /// \return the first defect: the status, which names the condition, and the elements. The report converts to `true` if
 ///         there is none. With exact knots all decisions are exact.
+///
 /// Complexity: linear in the number of pairs of a vertex and a piece of its support, but for a logarithm.
 template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Spline_compatibility_report<T_mesh_graph<TMesh>>

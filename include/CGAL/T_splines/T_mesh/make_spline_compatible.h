@@ -130,6 +130,7 @@ void count_elements(const TMesh& t_mesh, Spline_refinement_report<typename TMesh
 ///
 /// \return whether the T-mesh is spline compatible now, and how many splits were made for what. Nothing is changed if
 ///         the status is INADMISSIBLE, UNSUPPORTED_BORDER_VERTEX or TOUCHING_BORDERS.
+///
 /// Complexity: linear in the number of pairs of a vertex and a face of its support, for a few rounds; most of them look
 /// only at a few vertices.
 template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -62,6 +62,7 @@ namespace T_splines {
 /// \cgalNamedParamsEnd
 ///
 /// \return whether the T-mesh fits: false if an edge leads over a cone or beyond a border; then not all is written.
+///
 /// Complexity: linear in the number of triangles that the edges cross, and in the size of the mapped mesh.
 template <typename TriangleMesh, typename FT, typename TMesh,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -172,6 +172,7 @@ private:
 /// \cgalNamedParamsEnd
 ///
 /// \return how it ended
+///
 /// Complexity: O(log n) for each split, plus the number of halfedges of the face, plus its size.
 template <typename TMesh, typename FaceSize, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 T_mesh_refinement_report<T_mesh_graph<TMesh>>

@@ -92,6 +92,7 @@ void aspect_statistics(const Graph& graph, const Regularization& regularization,
 /// \cgalNamedParamsEnd
 ///
 /// \return how many operations were done, and aspect ratios before and after
+///
 /// Complexity: O(log n) for each operation, plus the number of halfedges of the faces that it touches and of their
 /// neighbours; quadratic in the number of T-joints of a single face.
 template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -210,6 +210,7 @@ private:
 ///
 /// \return `out` after the last sample.
 /// \pre neither the T-mesh nor its anchors have changed since it was traced
+///
 /// Complexity: linear in the size of the meshes, and, summed over all triangles, in the number of times that faces
 /// meet the triangle, times the number of its points; quadratic in how often one face meets one triangle.
 template <typename TriangleMesh, typename FT, typename TMesh, typename FaceAnchorMap, typename VertexPlaceMap,

@@ -24,6 +24,7 @@ namespace T_splines {
 /// \param output is written to; its state tells whether this succeeded
 /// \param mesh the mesh
 /// \param signature a signature of the mesh
+///
 /// Complexity: linear in the number of vertices.
 template <typename TriangleMesh>
 void write_cones(std::ostream& output, const TriangleMesh& mesh, const Holonomy_signature<TriangleMesh>& signature)
