@@ -4,7 +4,8 @@
 
 # Usage: check_headers.sh INCLUDE_DIRECTORY
 # Checks what every header owes: its licence line, a guard that is named after its path, at most 800 lines, no output,
-# no end of the program, no plain assert; and that the header of the whole package has them all.
+# no end of the program, no plain assert; that the header of the whole package has them all; and that rooms include
+# only those headers of other rooms that the page "Rooms" of the manual names.
 
 set -u
 cd "$1" || exit 2
@@ -47,6 +48,19 @@ complain "Public headers that CGAL/T_splines.h does not include:" \
          */internal/* | CGAL/T_splines.h) ;;
          *) grep -qx "#include <$h>" CGAL/T_splines.h || echo "$h" ;;
        esac
+     done)"
+
+# ROOM:OTHER, ROOM may include public headers of OTHER; ROOM:OTHER/internal, also internal ones.
+doors=" Cross_field:Solver Similarity_map:Cross_field Similarity_map:Solver T_mesh:Similarity_map Spline:T_mesh
+  Spline:Solver Spline:Similarity_map IO:T_mesh IO:Spline
+  Cross_field:Solver/internal Similarity_map:Cross_field/internal T_mesh:Similarity_map/internal
+  T_mesh:Cross_field/internal Spline:T_mesh/internal "
+complain "Includes from room to room that the page \"Rooms\" of the manual does not name:" \
+  "$(for h in "${headers[@]}"; do
+       room=$(expr "$h" : 'CGAL/T_splines/\([A-Z][A-Za-z_]*\)/') || continue
+       sed -nE 's|^#include <CGAL/T_splines/([A-Z][A-Za-z_]*)(/internal)?/.*|\1\2|p' "$h" | sort -u | while read -r other; do
+         [ "${other%/internal}" = "$room" ] || [[ $doors == *[[:space:]]"$room:$other"[[:space:]]* ]] || echo "$h: $other"
+       done
      done)"
 
 exit $((failures > 0))
