@@ -17,8 +17,11 @@ class Arguments {
 public:
   /// \param usage what `--help` prints
   Arguments(std::string usage, std::set<std::string> flags, std::set<std::string> options)
-    : m_usage(std::move(usage)), m_flags(std::move(flags)), m_options(std::move(options))
-  {}
+    : m_usage(std::move(usage)),
+      m_flags(std::move(flags)),
+      m_options(std::move(options))
+  {
+  }
 
   /// says that the program has an input of its own if no file is given.
   void allow_no_files() { m_needs_files = false; }

@@ -31,11 +31,14 @@ using Cones = std::vector<std::pair<Vertex, int>>;
 
 /// Where the signature of a mesh comes from.
 enum class Signature_source {
-  FIELD,          ///< a smooth cross field that is computed
-  CONES_OR_FIELD  ///< the file of the mesh with the extension `.cones`, if there is one
+  FIELD,         ///< a smooth cross field that is computed
+  CONES_OR_FIELD ///< the file of the mesh with the extension `.cones`, if there is one
 };
 
-inline std::string name_of(const std::string& file) { return std::filesystem::path(file).filename().string(); }
+inline std::string name_of(const std::string& file)
+{
+  return std::filesystem::path(file).filename().string();
+}
 
 inline int genus_of(const Mesh& mesh)
 {

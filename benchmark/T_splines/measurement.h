@@ -103,9 +103,13 @@ struct Map_times {
   double metric = 0, layout = 0, subdivision = 0, output = 0, whole = 0;
 
   explicit Map_times(const Stage_times& times)
-    : metric(times["similarity metric"]), layout(times["layout"]), subdivision(times["subdivision"]), output(times["output"]),
+    : metric(times["similarity metric"]),
+      layout(times["layout"]),
+      subdivision(times["subdivision"]),
+      output(times["output"]),
       whole(times[Stage_times::before_the_first] + metric + layout + subdivision + output)
-  {}
+  {
+  }
 
   /// From the metric to the refined mesh, but for writing it into a face graph.
   double after_metric() const { return layout + subdivision; }

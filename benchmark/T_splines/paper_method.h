@@ -45,13 +45,15 @@ public:
     End end = End::ITERATION_LIMIT;
     int iterations = 0;
     std::size_t flips = 0, delaunay_flips = 0;
-    double residual = 0;            ///< the smallest
-    double seconds = 0;             ///< CPU time until the smallest residual
+    double residual = 0; ///< the smallest
+    double seconds = 0;  ///< CPU time until the smallest residual
   };
 
   /// \param delaunay whether the triangulation is made intrinsically Delaunay first and after each step (7.3.1, Remark)
   Paper_method(const CGAL::T_splines::internal::Metric_input& input, const bool delaunay)
-    : m_start(cpu_seconds()), m_delaunay(delaunay), m_system(input.component_of_vertex, input.quarter_turns),
+    : m_start(cpu_seconds()),
+      m_delaunay(delaunay),
+      m_system(input.component_of_vertex, input.quarter_turns),
       m_component(input.component_of_vertex)
   {
     CGAL::T_splines::internal::Metric_computation<double> computation(input, false);
@@ -137,7 +139,7 @@ private:
                 {m_face_row[mesh.face(2 * e)], 1.},
                 {m_face_row[mesh.face(2 * e + 1)], -1.}};
       m_structure.loops.for_each_passage(
-        e, [&](const int loop, const int sign) { column.emplace_back(m_first_loop_row + loop, sign * star); });
+          e, [&](const int loop, const int sign) { column.emplace_back(m_first_loop_row + loop, sign * star); });
       std::sort(column.begin(), column.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
       result.startVec(e);
       for (std::size_t i = 0; i < column.size();) {
@@ -189,7 +191,7 @@ private:
   {
     const std::size_t most_flips = 1000 + 100 * static_cast<std::size_t>(m_structure.mesh.number_of_edges());
     const std::size_t flips = CGAL::T_splines::internal::flip_to_delaunay(
-      m_structure, most_flips, [this](const Index h) { m_structure.flip_euclidean(h); });
+        m_structure, most_flips, [this](const Index h) { m_structure.flip_euclidean(h); });
     count += flips;
     m_is_pattern_new = m_is_pattern_new || flips > 0;
     return flips <= most_flips;
@@ -199,13 +201,13 @@ private:
   bool m_delaunay;
   Structure m_structure;
   CGAL::T_splines::internal::Newton_system<double> m_system;
-  std::vector<int> m_component;  // per vertex
+  std::vector<int> m_component; // per vertex
   std::vector<int> m_vertex_row, m_face_row;
   int m_first_loop_row = 0;
 
   Eigen::SparseLU<Matrix, Eigen::COLAMDOrdering<int>> m_lu;
   bool m_is_pattern_new = true;
-  std::vector<double> m_step;    // change of xi of the halfedge 2e, per edge e
+  std::vector<double> m_step; // change of xi of the halfedge 2e, per edge e
   Report m_report;
 };
 

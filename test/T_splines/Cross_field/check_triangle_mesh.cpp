@@ -17,7 +17,8 @@ using Mesh = test::Surface_mesh;
 TEMPLATE_TEST_CASE("closed triangle meshes are accepted, whatever their size and place", "", test::Surface_mesh,
                    test::Polyhedron_3, test::Linear_cell_complex)
 {
-  for (const test::Soup& soup : {test::torus(6, 5), test::plate(2), test::disjoint_union(test::torus(6, 5), test::plate(0))}) {
+  for (const test::Soup& soup :
+       {test::torus(6, 5), test::plate(2), test::disjoint_union(test::torus(6, 5), test::plate(0))}) {
     CHECK(ts::check_triangle_mesh(test::to_mesh<TestType>(soup)).success());
     CHECK(ts::check_triangle_mesh(test::to_mesh<TestType>(test::transformed(soup, 1e-9, {0, 0, 0}))).success());
     CHECK(ts::check_triangle_mesh(test::to_mesh<TestType>(test::transformed(soup, 1, {1e7, -1e7, 1e7}))).success());

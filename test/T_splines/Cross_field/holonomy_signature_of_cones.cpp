@@ -39,8 +39,9 @@ TEMPLATE_TEST_CASE("cones that satisfy Gauss and Bonnet make an admissible signa
     int genus;
     std::vector<int> numbers;
   };
-  for (const Example& example : {Example{0, std::vector<int>(8, 3)}, Example{0, {1, 1, 2}}, Example{1, {}}, Example{1, {3, 5}},
-                                 Example{2, {12}}, Example{2, std::vector<int>(8, 5)}, Example{3, {20}}}) {
+  for (const Example& example :
+       {Example{0, std::vector<int>(8, 3)}, Example{0, {1, 1, 2}}, Example{1, {}}, Example{1, {3, 5}}, Example{2, {12}},
+        Example{2, std::vector<int>(8, 5)}, Example{3, {20}}}) {
     const TestType mesh = test::to_mesh<TestType>(test::plate(example.genus));
     ts::Holonomy_signature<TestType> signature;
     const auto report = ts::holonomy_signature_of_cones(mesh, cones(mesh, example.numbers), signature);
@@ -65,7 +66,8 @@ TEST_CASE("the numbers of loops can be given")
   CHECK(signature.loops()[0].quarter_turns == 3);
   CHECK(signature.loops()[1].quarter_turns == -2);
   for (const std::vector<int>& wrong : {std::vector<int>{1}, std::vector<int>{1, 2, 3}}) {
-    const auto report = ts::holonomy_signature_of_cones(mesh, Cones<Mesh>(), signature, ts::parameters::loop_turning_numbers(wrong));
+    const auto report =
+        ts::holonomy_signature_of_cones(mesh, Cones<Mesh>(), signature, ts::parameters::loop_turning_numbers(wrong));
     CHECK(report.status == Status::WRONG_NUMBER_OF_TURNS);
     CHECK(report.expected == 2);
     CHECK(report.actual == static_cast<int>(wrong.size()));

@@ -85,8 +85,8 @@ TEST_CASE("which of the four directions is given, its length and its normal part
   int i = 0;
   for (const auto f : faces(mesh)) {
     const auto h = halfedge(f, mesh);
-    test::Vector_3 normal = CGAL::normal(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)),
-                                         mesh.point(target(next(h, mesh), mesh)));
+    test::Vector_3 normal =
+        CGAL::normal(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)), mesh.point(target(next(h, mesh), mesh)));
     normal = normal / std::sqrt(normal.squared_length());
     test::Vector_3 direction = get(field, f);
     for (int turn = 0; turn < ++i % 4; ++turn)
@@ -108,13 +108,16 @@ TEST_CASE("given matchings decide instead of the closest rotation")
   auto matching = mesh.add_property_map<Mesh::Halfedge_index, int>("h:matching", 0).first;
   ts::Holonomy_signature<Mesh> signature;
   // The field turns little from face to face: without quarter turns nothing changes.
-  REQUIRE(ts::holonomy_signature_of_cross_field(mesh, field, signature, ts::parameters::halfedge_matching_map(matching)).success());
+  REQUIRE(ts::holonomy_signature_of_cross_field(mesh, field, signature, ts::parameters::halfedge_matching_map(matching))
+              .success());
   CHECK(signature.cones().empty());
   // A quarter turn across one edge makes one end of it a cone of five, the other one of three.
   const Mesh::Edge_index e(11);
   for (const int m : {1, -1, 5}) {
     matching[halfedge(e, mesh)] = m;
-    REQUIRE(ts::holonomy_signature_of_cross_field(mesh, field, signature, ts::parameters::halfedge_matching_map(matching)).success());
+    REQUIRE(
+        ts::holonomy_signature_of_cross_field(mesh, field, signature, ts::parameters::halfedge_matching_map(matching))
+            .success());
     REQUIRE(signature.cones().size() == 2);
     // Entering the face of h from the right turns counter-clockwise around its source.
     CHECK(signature.quarter_turns(source(e, mesh)) == (m == -1 ? 5 : 3));
@@ -132,8 +135,8 @@ TEST_CASE("fields and meshes that have no signature are refused by name")
   const Mesh::Face_index f(40);
   const auto h = halfedge(f, mesh);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const test::Vector_3 normal = CGAL::normal(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)),
-                                             mesh.point(target(next(h, mesh), mesh)));
+  const test::Vector_3 normal =
+      CGAL::normal(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)), mesh.point(target(next(h, mesh), mesh)));
   for (const test::Vector_3& bad : {test::Vector_3(0, 0, 0), test::Vector_3(nan, 1, 0), normal}) {
     put(field, f, bad);
     const auto report = ts::holonomy_signature_of_cross_field(mesh, field, signature);

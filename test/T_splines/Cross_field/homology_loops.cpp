@@ -92,7 +92,8 @@ TEST_CASE("loops of a torus are about as short as its circles")
 
 TEST_CASE("components are numbered by their first faces and have their own loops")
 {
-  const Mesh mesh = test::to_mesh<Mesh>(test::disjoint_union(test::plate(2), test::disjoint_union(test::plate(0), test::torus(6, 5))));
+  const Mesh mesh = test::to_mesh<Mesh>(
+      test::disjoint_union(test::plate(2), test::disjoint_union(test::plate(0), test::torus(6, 5))));
   const Closed_mesh closed(mesh, CGAL::parameters::default_values());
   REQUIRE(closed.m_components.size() == 3);
   CHECK(closed.m_components.euler_characteristic == std::vector<int>{-2, 2, 0});

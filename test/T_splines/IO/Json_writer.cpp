@@ -14,7 +14,10 @@ namespace {
 
 using CGAL::T_splines::internal::Json_writer;
 
-std::string string_as_json(const std::string& text) { return Json_writer().value(text).text(); }
+std::string string_as_json(const std::string& text)
+{
+  return Json_writer().value(text).text();
+}
 
 template <typename Number>
 std::string number_as_json(const Number number)
@@ -37,7 +40,8 @@ TEST_CASE("strings are escaped, and safe inside a script element")
 {
   CHECK(string_as_json("a\"b\\c\n\t") == "\"a\\\"b\\\\c\\u000a\\u0009\"");
   CHECK(string_as_json("</script>") == "\"\\u003c/script>\"");
-  CHECK(string_as_json("gr\xc3\xbc\xc3\x9f \xe2\x82\xac \xf0\x9f\x90\x98") == "\"gr\xc3\xbc\xc3\x9f \xe2\x82\xac \xf0\x9f\x90\x98\"");
+  CHECK(string_as_json("gr\xc3\xbc\xc3\x9f \xe2\x82\xac \xf0\x9f\x90\x98") ==
+        "\"gr\xc3\xbc\xc3\x9f \xe2\x82\xac \xf0\x9f\x90\x98\"");
 }
 
 TEST_CASE("bytes that are not UTF-8 are replaced one by one")

@@ -36,7 +36,10 @@ using Status = T::Mesh_reading_status;
 
 constexpr std::size_t none = T::Mesh_reading_report::none;
 
-std::string data_file(const std::string& name) { return std::string(T_SPLINES_TEST_DATA "/") + name; }
+std::string data_file(const std::string& name)
+{
+  return std::string(T_SPLINES_TEST_DATA "/") + name;
+}
 
 /// A file and what the reader has to say of it.
 struct Bad_file {
@@ -47,52 +50,51 @@ struct Bad_file {
 
 const std::vector<Bad_file>& bad_files()
 {
-  static const std::vector<Bad_file> files = {
-    {"empty.off", Status::EMPTY, none, none, none},
-    {"no_faces.off", Status::EMPTY, none, none, none},
-    {"no_faces.obj", Status::EMPTY, none, none, none},
-    {"no_faces.ply", Status::SYNTAX_ERROR, 7, none, none},
-    {"truncated_vertices.off", Status::TRUNCATED, 5, 2, none},
-    {"truncated_faces.off", Status::TRUNCATED, 9, none, none},
-    {"truncated_face.off", Status::TRUNCATED, 10, none, 3},
-    {"truncated_header.ply", Status::TRUNCATED, 1, none, none},
-    {"truncated.ply", Status::TRUNCATED, none, none, 3},
-    {"truncated_ascii.ply", Status::TRUNCATED, 16, none, 1},
-    {"truncated.stl", Status::TRUNCATED, 5, none, 0},
-    {"truncated_binary.stl", Status::TRUNCATED, none, none, none},
-    {"too_many_faces.off", Status::SYNTAX_ERROR, 10, none, none},
-    {"trailing_data.ply", Status::SYNTAX_ERROR, none, none, none},
-    {"not_off.off", Status::SYNTAX_ERROR, 1, none, none},
-    {"word.off", Status::SYNTAX_ERROR, 4, 1, none},
-    {"junk.obj", Status::SYNTAX_ERROR, 2, none, none},
-    {"keyword.stl", Status::SYNTAX_ERROR, 5, none, 0},
-    {"binary.off", Status::UNSUPPORTED_VARIANT, 1, none, none},
-    {"four.off", Status::UNSUPPORTED_VARIANT, 1, none, none},
-    {"unknown_encoding.ply", Status::UNSUPPORTED_VARIANT, 2, none, none},
-    {"nan.off", Status::NON_FINITE_COORDINATE, 5, 2, none},
-    {"nan.ply", Status::NON_FINITE_COORDINATE, none, 2, none},
-    {"nan.stl", Status::NON_FINITE_COORDINATE, none, none, 1},
-    {"infinity.off", Status::NON_FINITE_COORDINATE, 6, 3, none},
-    {"overflow.obj", Status::NON_FINITE_COORDINATE, 2, 1, none},
-    {"index.off", Status::INDEX_OUT_OF_RANGE, 8, none, 1},
-    {"negative_index.off", Status::INDEX_OUT_OF_RANGE, 8, none, 1},
-    {"index.obj", Status::INDEX_OUT_OF_RANGE, 7, none, 2},
-    {"zero_index.obj", Status::INDEX_OUT_OF_RANGE, 6, none, 1},
-    {"negative_index.obj", Status::INDEX_OUT_OF_RANGE, 6, none, 1},
-    {"uv_index.obj", Status::INDEX_OUT_OF_RANGE, 6, none, 0},
-    {"index.ply", Status::INDEX_OUT_OF_RANGE, none, none, 3},
-    {"negative_index.ply", Status::INDEX_OUT_OF_RANGE, 18, none, 3},
-    {"two_corners.off", Status::TOO_FEW_CORNERS, 8, none, 1},
-    {"repeated_vertex.off", Status::REPEATED_VERTEX, 8, 1, 1},
-    {"duplicate_face.off", Status::DUPLICATE_FACE, 11, none, 4},
-    {"non_manifold_edge.off", Status::NON_MANIFOLD_EDGE, 9, 1, 0},
-    {"inconsistent.off", Status::INCONSISTENT_ORIENTATION, 7, 2, 0},
-    {"projective_plane.off", Status::NON_ORIENTABLE, 16, 5, 7},
-    {"non_manifold_vertex.off", Status::NON_MANIFOLD_VERTEX, 3, 0, 7},
-    {"isolated_vertex.off", Status::ISOLATED_VERTEX, 7, 4, none},
-    {"boundary.off", Status::BOUNDARY, 7, 0, 0},
-    {"zero_length_edge.off", Status::ZERO_LENGTH_EDGE, 12, 4, 4},
-    {"collinear.off", Status::ZERO_AREA_TRIANGLE, 13, none, 5}};
+  static const std::vector<Bad_file> files = {{"empty.off", Status::EMPTY, none, none, none},
+                                              {"no_faces.off", Status::EMPTY, none, none, none},
+                                              {"no_faces.obj", Status::EMPTY, none, none, none},
+                                              {"no_faces.ply", Status::SYNTAX_ERROR, 7, none, none},
+                                              {"truncated_vertices.off", Status::TRUNCATED, 5, 2, none},
+                                              {"truncated_faces.off", Status::TRUNCATED, 9, none, none},
+                                              {"truncated_face.off", Status::TRUNCATED, 10, none, 3},
+                                              {"truncated_header.ply", Status::TRUNCATED, 1, none, none},
+                                              {"truncated.ply", Status::TRUNCATED, none, none, 3},
+                                              {"truncated_ascii.ply", Status::TRUNCATED, 16, none, 1},
+                                              {"truncated.stl", Status::TRUNCATED, 5, none, 0},
+                                              {"truncated_binary.stl", Status::TRUNCATED, none, none, none},
+                                              {"too_many_faces.off", Status::SYNTAX_ERROR, 10, none, none},
+                                              {"trailing_data.ply", Status::SYNTAX_ERROR, none, none, none},
+                                              {"not_off.off", Status::SYNTAX_ERROR, 1, none, none},
+                                              {"word.off", Status::SYNTAX_ERROR, 4, 1, none},
+                                              {"junk.obj", Status::SYNTAX_ERROR, 2, none, none},
+                                              {"keyword.stl", Status::SYNTAX_ERROR, 5, none, 0},
+                                              {"binary.off", Status::UNSUPPORTED_VARIANT, 1, none, none},
+                                              {"four.off", Status::UNSUPPORTED_VARIANT, 1, none, none},
+                                              {"unknown_encoding.ply", Status::UNSUPPORTED_VARIANT, 2, none, none},
+                                              {"nan.off", Status::NON_FINITE_COORDINATE, 5, 2, none},
+                                              {"nan.ply", Status::NON_FINITE_COORDINATE, none, 2, none},
+                                              {"nan.stl", Status::NON_FINITE_COORDINATE, none, none, 1},
+                                              {"infinity.off", Status::NON_FINITE_COORDINATE, 6, 3, none},
+                                              {"overflow.obj", Status::NON_FINITE_COORDINATE, 2, 1, none},
+                                              {"index.off", Status::INDEX_OUT_OF_RANGE, 8, none, 1},
+                                              {"negative_index.off", Status::INDEX_OUT_OF_RANGE, 8, none, 1},
+                                              {"index.obj", Status::INDEX_OUT_OF_RANGE, 7, none, 2},
+                                              {"zero_index.obj", Status::INDEX_OUT_OF_RANGE, 6, none, 1},
+                                              {"negative_index.obj", Status::INDEX_OUT_OF_RANGE, 6, none, 1},
+                                              {"uv_index.obj", Status::INDEX_OUT_OF_RANGE, 6, none, 0},
+                                              {"index.ply", Status::INDEX_OUT_OF_RANGE, none, none, 3},
+                                              {"negative_index.ply", Status::INDEX_OUT_OF_RANGE, 18, none, 3},
+                                              {"two_corners.off", Status::TOO_FEW_CORNERS, 8, none, 1},
+                                              {"repeated_vertex.off", Status::REPEATED_VERTEX, 8, 1, 1},
+                                              {"duplicate_face.off", Status::DUPLICATE_FACE, 11, none, 4},
+                                              {"non_manifold_edge.off", Status::NON_MANIFOLD_EDGE, 9, 1, 0},
+                                              {"inconsistent.off", Status::INCONSISTENT_ORIENTATION, 7, 2, 0},
+                                              {"projective_plane.off", Status::NON_ORIENTABLE, 16, 5, 7},
+                                              {"non_manifold_vertex.off", Status::NON_MANIFOLD_VERTEX, 3, 0, 7},
+                                              {"isolated_vertex.off", Status::ISOLATED_VERTEX, 7, 4, none},
+                                              {"boundary.off", Status::BOUNDARY, 7, 0, 0},
+                                              {"zero_length_edge.off", Status::ZERO_LENGTH_EDGE, 12, 4, 4},
+                                              {"collinear.off", Status::ZERO_AREA_TRIANGLE, 13, none, 5}};
   return files;
 }
 
@@ -133,7 +135,8 @@ TEST_CASE("every bad file is refused with its reason and its place")
     known.insert(file.name);
     CAPTURE(file.name);
     Surface_mesh mesh;
-    const T::Mesh_reading_report report = T::read_triangle_mesh(data_file(std::string("bad_meshes/") + file.name), mesh);
+    const T::Mesh_reading_report report =
+        T::read_triangle_mesh(data_file(std::string("bad_meshes/") + file.name), mesh);
     CAPTURE(describe(report));
     CHECK(report.status == file.status);
     CHECK(report.line == file.line);
@@ -264,8 +267,9 @@ TEST_CASE("a quadrilateral gets its better diagonal, and never one that is an ed
   kite.corners.insert(kite.corners.end(), {1, 3, 4});
   kite.end_polygon();
   for (const std::array<std::size_t, 3>& triangle : T::internal::triangulate_polygon_soup(kite).triangles)
-    CHECK((std::count(triangle.begin(), triangle.end(), 1) == 0 || std::count(triangle.begin(), triangle.end(), 3) == 0
-           || std::count(triangle.begin(), triangle.end(), 4) == 1));
+    CHECK((std::count(triangle.begin(), triangle.end(), 1) == 0 ||
+           std::count(triangle.begin(), triangle.end(), 3) == 0 ||
+           std::count(triangle.begin(), triangle.end(), 4) == 1));
 }
 
 TEST_CASE("a far offset and a tiny scale are read to the last bit")

@@ -56,7 +56,10 @@ bool has_leftovers(const std::filesystem::path& directory)
   return false;
 }
 
-void write_file(const std::string& name, const std::string& content) { std::ofstream(name) << content; }
+void write_file(const std::string& name, const std::string& content)
+{
+  std::ofstream(name) << content;
+}
 
 } // namespace
 
@@ -108,7 +111,8 @@ TEST_CASE("a file that cannot be written leaves nothing behind and leaves what w
   Surface_mesh mesh;
   const auto uv = mesh.add_property_map<Surface_mesh::Halfedge_index, Point_2>("h:uv").first;
   make_map(mesh, uv);
-  CHECK(T::write_map_obj(directory.file("no_such_directory/map.obj"), mesh, uv) == std::errc::no_such_file_or_directory);
+  CHECK(T::write_map_obj(directory.file("no_such_directory/map.obj"), mesh, uv) ==
+        std::errc::no_such_file_or_directory);
   std::filesystem::create_directories(directory.file("is_a_directory.obj/inside"));
   CHECK(T::write_map_obj(directory.file("is_a_directory.obj"), mesh, uv));
   CHECK_FALSE(has_leftovers(directory.path()));

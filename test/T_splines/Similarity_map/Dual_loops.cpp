@@ -81,9 +81,9 @@ TEST_CASE("loops stay closed strips of their homology class when edges are flipp
     Flat_torus torus(n, random);
     Dual_loops loops(torus.mesh.number_of_edges());
     const std::size_t length = 2 * n;
-    loops.add(row(torus, 2 * 1 + 1, length));          // across the first vertical edge
+    loops.add(row(torus, 2 * 1 + 1, length));           // across the first vertical edge
     loops.add(row(torus, 2 * (3 * n + 1) + 1, length)); // one row above
-    loops.add(row(torus, 2 * 1, length));              // another way
+    loops.add(row(torus, 2 * 1, length));               // another way
     std::vector<Vector> way;
     for (int loop = 0; loop < 3; ++loop) {
       REQUIRE(is_closed_strip(torus, loops.halfedges(loop)));

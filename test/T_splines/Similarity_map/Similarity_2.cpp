@@ -17,7 +17,10 @@ namespace {
 using FT = CGAL::Exact_rational;
 using Similarity = CGAL::T_splines::Similarity_2<FT>;
 
-FT random_number(CGAL::Random& random) { return FT(random.get_int(-50, 51)) / FT(random.get_int(1, 20)); }
+FT random_number(CGAL::Random& random)
+{
+  return FT(random.get_int(-50, 51)) / FT(random.get_int(1, 20));
+}
 
 Similarity random_similarity(CGAL::Random& random)
 {

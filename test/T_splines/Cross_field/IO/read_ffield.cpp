@@ -34,8 +34,11 @@ struct Facet_field {
   std::vector<int> matching;
 
   explicit Facet_field(const test::Soup& soup)
-    : mesh(test::to_mesh<Mesh>(soup)), indexing(mesh), connectivity(in::triangulation_connectivity(indexing)),
-      angle(num_faces(mesh)), matching(connectivity.number_of_halfedges())
+    : mesh(test::to_mesh<Mesh>(soup)),
+      indexing(mesh),
+      connectivity(in::triangulation_connectivity(indexing)),
+      angle(num_faces(mesh)),
+      matching(connectivity.number_of_halfedges())
   {
     const in::Triangle_geometry geometry = in::triangle_geometry(indexing, connectivity, mesh.points());
     auto field = get(CGAL::dynamic_face_property_t<test::Vector_3>(), mesh);

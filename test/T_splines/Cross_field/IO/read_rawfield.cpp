@@ -53,7 +53,8 @@ const std::string good = "1 0 0  0 1 0  -1 0 0  0 -1 0";
 TEST_CASE("the four vectors may come in either order and have any length")
 {
   std::vector<test::Vector_3> field;
-  REQUIRE(read("4 2\n2 1 0  -1 2 0  -2 -1 0  1 -2 0\n# a comment\n.2 .1 0  .1 -.2 0  -.2 -.1 0  -.1 .2 0\n", &field).success());
+  REQUIRE(read("4 2\n2 1 0  -1 2 0  -2 -1 0  1 -2 0\n# a comment\n.2 .1 0  .1 -.2 0  -.2 -.1 0  -.1 .2 0\n", &field)
+              .success());
   for (const test::Vector_3& v : field) {
     CHECK(v.squared_length() == Approx(1));
     CHECK(angle(v) == Approx(std::atan2(1., 2.)));
@@ -67,8 +68,8 @@ TEST_CASE("a sheared frame stands for the cross that is symmetric to it")
     text << "4 2\n";
     for (int f = 0; f < 2; ++f) {
       const double a = 0.3 + shear / 2, b = 0.3 + std::acos(0.) - shear / 2;
-      text << std::cos(a) << ' ' << std::sin(a) << " 0 " << 3 * std::cos(b) << ' ' << 3 * std::sin(b) << " 0 " << -std::cos(a) << ' '
-           << -std::sin(a) << " 0 " << -3 * std::cos(b) << ' ' << -3 * std::sin(b) << " 0\n";
+      text << std::cos(a) << ' ' << std::sin(a) << " 0 " << 3 * std::cos(b) << ' ' << 3 * std::sin(b) << " 0 "
+           << -std::cos(a) << ' ' << -std::sin(a) << " 0 " << -3 * std::cos(b) << ' ' << -3 * std::sin(b) << " 0\n";
     }
     std::vector<test::Vector_3> field;
     REQUIRE(read(text.str(), &field).success());
@@ -84,21 +85,20 @@ TEST_CASE("bad files are refused with the line and the face")
     std::size_t line, index;
   };
   const std::size_t none = ts::Field_file_report::none;
-  for (const Example& example : {
-         Example{"", Status::TRUNCATED, 1, none},
-         Example{"2 2\n1 0 0 -1 0 0\n1 0 0 -1 0 0\n", Status::WRONG_SYMMETRY, 1, none},
-         Example{"6 2\n", Status::WRONG_SYMMETRY, 1, none},
-         Example{"1 2\n", Status::WRONG_SYMMETRY, 1, none},
-         Example{"4 3\n" + good + "\n" + good + "\n" + good + "\n", Status::WRONG_COUNT, 1, none},
-         Example{"4 2\n" + good + "\n1 0 0 0 1", Status::TRUNCATED, 3, 1},
-         Example{"4 2\n" + good + "\n1 0 0 0 x 0", Status::SYNTAX_ERROR, 3, 1},
-         Example{"4 2\n1 0 0  0 nan 0  -1 0 0  0 -1 0\n" + good, Status::NON_FINITE_NUMBER, 2, 0},
-         Example{"4 2\n1 0 0  0 1e999 0  -1 0 0  0 -1 0\n" + good, Status::NON_FINITE_NUMBER, 2, 0},
-         Example{"4 2\n" + good + "\n1 0 0  0 0 0  -1 0 0  0 -1 0\n", Status::ZERO_VECTOR, 3, 1},
-         Example{"4 2\n" + good + "\n1 0 .1  0 1 0  -1 0 0  0 -1 0\n", Status::NOT_TANGENT, 3, 1},
-         Example{"4 2\n" + good + "\n1 0 0  1 0 0  -1 0 0  -1 0 0\n", Status::NOT_A_CROSS, 3, 1},
-         Example{"4 2\n1 0 0  1 0 0  1 0 0  1 0 0\n" + good, Status::NOT_A_CROSS, 2, 0},
-         Example{"4 2\n" + good + "\n" + good + "\n1\n", Status::TRAILING_DATA, 4, none}}) {
+  for (const Example& example :
+       {Example{"", Status::TRUNCATED, 1, none},
+        Example{"2 2\n1 0 0 -1 0 0\n1 0 0 -1 0 0\n", Status::WRONG_SYMMETRY, 1, none},
+        Example{"6 2\n", Status::WRONG_SYMMETRY, 1, none}, Example{"1 2\n", Status::WRONG_SYMMETRY, 1, none},
+        Example{"4 3\n" + good + "\n" + good + "\n" + good + "\n", Status::WRONG_COUNT, 1, none},
+        Example{"4 2\n" + good + "\n1 0 0 0 1", Status::TRUNCATED, 3, 1},
+        Example{"4 2\n" + good + "\n1 0 0 0 x 0", Status::SYNTAX_ERROR, 3, 1},
+        Example{"4 2\n1 0 0  0 nan 0  -1 0 0  0 -1 0\n" + good, Status::NON_FINITE_NUMBER, 2, 0},
+        Example{"4 2\n1 0 0  0 1e999 0  -1 0 0  0 -1 0\n" + good, Status::NON_FINITE_NUMBER, 2, 0},
+        Example{"4 2\n" + good + "\n1 0 0  0 0 0  -1 0 0  0 -1 0\n", Status::ZERO_VECTOR, 3, 1},
+        Example{"4 2\n" + good + "\n1 0 .1  0 1 0  -1 0 0  0 -1 0\n", Status::NOT_TANGENT, 3, 1},
+        Example{"4 2\n" + good + "\n1 0 0  1 0 0  -1 0 0  -1 0 0\n", Status::NOT_A_CROSS, 3, 1},
+        Example{"4 2\n1 0 0  1 0 0  1 0 0  1 0 0\n" + good, Status::NOT_A_CROSS, 2, 0},
+        Example{"4 2\n" + good + "\n" + good + "\n1\n", Status::TRAILING_DATA, 4, none}}) {
     CAPTURE(example.text);
     const ts::Field_file_report report = read(example.text);
     CHECK(report.status == example.status);

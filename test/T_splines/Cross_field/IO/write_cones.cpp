@@ -25,7 +25,8 @@ TEMPLATE_TEST_CASE("cones are written by index and read back", "", test::Surface
                    test::Linear_cell_complex)
 {
   const TestType mesh = test::to_mesh<TestType>(test::torus(6, 5));
-  std::vector<typename boost::graph_traits<TestType>::vertex_descriptor> v(vertices(mesh).begin(), vertices(mesh).end());
+  std::vector<typename boost::graph_traits<TestType>::vertex_descriptor> v(vertices(mesh).begin(),
+                                                                           vertices(mesh).end());
   ts::Holonomy_signature<TestType> signature;
   signature.set_quarter_turns(v[20], 5);
   signature.set_quarter_turns(v[3], 3);

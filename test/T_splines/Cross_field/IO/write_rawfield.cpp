@@ -13,7 +13,8 @@
 
 namespace ts = CGAL::T_splines;
 
-TEMPLATE_TEST_CASE("what is written is read back", "", test::Surface_mesh, test::Polyhedron_3, test::Linear_cell_complex)
+TEMPLATE_TEST_CASE("what is written is read back", "", test::Surface_mesh, test::Polyhedron_3,
+                   test::Linear_cell_complex)
 {
   TestType mesh = test::to_mesh<TestType>(test::torus(12, 9));
   const auto field = test::field_around_axis(mesh);

@@ -13,25 +13,25 @@ namespace T_splines {
 /// \ingroup PkgTSplinesIO
 /// How the reading of a file with a cross field or with cones ended.
 enum class Field_file_status {
-  SUCCESS,               ///< the file was read
-  UNREADABLE,            ///< nothing can be read from the stream
-  INVALID_MESH,          ///< the mesh that the file is for is refused: `check_triangle_mesh()` names the element
-  TRUNCATED,             ///< the file ends too early
-  SYNTAX_ERROR,          ///< `text` is not what the format asks for in this place
-  NON_FINITE_NUMBER,     ///< a number is infinite, not a number, or out of the range of double
-  TRAILING_DATA,         ///< something follows after everything that the file announces
-  WRONG_SYMMETRY,        ///< the field has `actual` directions per face, or vectors in the file, instead of `expected`
-  WRONG_COUNT,           ///< the file is for `actual` elements, the mesh has `expected`
-  ZERO_VECTOR,           ///< a vector of face `index` is zero
-  NOT_TANGENT,           ///< a vector of face `index` leaves the plane of the face
-  NOT_A_CROSS,           ///< the vectors of face `index` do not determine a cross
-  INDEX_OUT_OF_RANGE,    ///< `actual` is not the index of one of the `expected` vertices of the mesh
-  DUPLICATE_CONE,        ///< vertex `index` is listed twice
-  NON_POSITIVE_CONE,     ///< vertex `index` has `actual` < 1 quarter turns
-  NOT_A_QUARTER_TURN,    ///< the angle of vertex `index` is not a multiple of pi/2 within 1e-6
-  MISSING_SECTION,       ///< the file lacks the section `text`
-  WRONG_FACE,            ///< face `index` has other vertices in the file than in the mesh
-  INCONSISTENT_MATCHING  ///< the matchings of an edge of face `index` are not opposite to each other
+  SUCCESS,              ///< the file was read
+  UNREADABLE,           ///< nothing can be read from the stream
+  INVALID_MESH,         ///< the mesh that the file is for is refused: `check_triangle_mesh()` names the element
+  TRUNCATED,            ///< the file ends too early
+  SYNTAX_ERROR,         ///< `text` is not what the format asks for in this place
+  NON_FINITE_NUMBER,    ///< a number is infinite, not a number, or out of the range of double
+  TRAILING_DATA,        ///< something follows after everything that the file announces
+  WRONG_SYMMETRY,       ///< the field has `actual` directions per face, or vectors in the file, instead of `expected`
+  WRONG_COUNT,          ///< the file is for `actual` elements, the mesh has `expected`
+  ZERO_VECTOR,          ///< a vector of face `index` is zero
+  NOT_TANGENT,          ///< a vector of face `index` leaves the plane of the face
+  NOT_A_CROSS,          ///< the vectors of face `index` do not determine a cross
+  INDEX_OUT_OF_RANGE,   ///< `actual` is not the index of one of the `expected` vertices of the mesh
+  DUPLICATE_CONE,       ///< vertex `index` is listed twice
+  NON_POSITIVE_CONE,    ///< vertex `index` has `actual` < 1 quarter turns
+  NOT_A_QUARTER_TURN,   ///< the angle of vertex `index` is not a multiple of pi/2 within 1e-6
+  MISSING_SECTION,      ///< the file lacks the section `text`
+  WRONG_FACE,           ///< face `index` has other vertices in the file than in the mesh
+  INCONSISTENT_MATCHING ///< the matchings of an edge of face `index` are not opposite to each other
 };
 
 /// \ingroup PkgTSplinesIO
@@ -41,12 +41,15 @@ inline const char* message(const Field_file_status status)
   switch (status) {
   case Field_file_status::SUCCESS: return "the file was read";
   case Field_file_status::UNREADABLE: return "the file cannot be read";
-  case Field_file_status::INVALID_MESH: return "the mesh that the file is for is not a triangle mesh with positive areas";
-  case Field_file_status::TRUNCATED: return "the file is truncated: it ends before everything that it announces has come";
+  case Field_file_status::INVALID_MESH:
+    return "the mesh that the file is for is not a triangle mesh with positive areas";
+  case Field_file_status::TRUNCATED:
+    return "the file is truncated: it ends before everything that it announces has come";
   case Field_file_status::SYNTAX_ERROR: return "the file does not follow its format here";
   case Field_file_status::NON_FINITE_NUMBER: return "a number is not finite";
   case Field_file_status::TRAILING_DATA: return "the file goes on after everything that it announces";
-  case Field_file_status::WRONG_SYMMETRY: return "the field is no cross field: it does not have four directions per face";
+  case Field_file_status::WRONG_SYMMETRY:
+    return "the field is no cross field: it does not have four directions per face";
   case Field_file_status::WRONG_COUNT: return "the file is for a mesh with another number of elements";
   case Field_file_status::ZERO_VECTOR: return "a vector is zero";
   case Field_file_status::NOT_TANGENT: return "a vector is not tangent to its face";
@@ -70,11 +73,11 @@ struct Field_file_report {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   Field_file_status status = Field_file_status::SUCCESS; ///< how it ended
-  std::size_t line = none;  ///< where reading stopped
-  std::size_t index = none; ///< of the face or vertex
-  long long expected = 0;   ///< what `status` compares with
-  long long actual = 0;     ///< what was found
-  std::string text;         ///< what stands there, or the name of a section
+  std::size_t line = none;                               ///< where reading stopped
+  std::size_t index = none;                              ///< of the face or vertex
+  long long expected = 0;                                ///< what `status` compares with
+  long long actual = 0;                                  ///< what was found
+  std::string text;                                      ///< what stands there, or the name of a section
 
   /// returns whether `status` tells of success.
   bool success() const { return status == Field_file_status::SUCCESS; }

@@ -68,7 +68,7 @@ bool parse_crossfield(Field_file_parser& parser, Field_of_vectors<TriangleMesh>&
 template <typename TriangleMesh, typename CrossFieldMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Field_file_report read_crossfield(std::istream& input, const TriangleMesh& mesh, CrossFieldMap cross_field,
-                                const NamedParameters& np = CGAL::parameters::default_values())
+                                  const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::Field_file_parser parser(input);
   if (!parser.success() || !internal::check_mesh_of_field(mesh, np, parser))

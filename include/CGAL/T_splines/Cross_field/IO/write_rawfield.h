@@ -26,7 +26,7 @@ inline void append_number(std::string& text, const double value)
   constexpr int digits = 17;
   char buffer[64];
   const std::to_chars_result result =
-    std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::general, digits);
+      std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::general, digits);
   text.append(buffer, result.ptr);
 }
 
@@ -59,9 +59,9 @@ void write_rawfield(std::ostream& output, const TriangleMesh& mesh, const CrossF
   const internal::Mesh_indexing<TriangleMesh> indexing(mesh);
   const internal::Triangulation_connectivity connectivity = internal::triangulation_connectivity(indexing);
   const internal::Triangle_geometry geometry = internal::triangle_geometry(
-    indexing, connectivity,
-    CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
-                                       get_const_property_map(CGAL::vertex_point, mesh)));
+      indexing, connectivity,
+      CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+                                         get_const_property_map(CGAL::vertex_point, mesh)));
   output << "4 " << std::to_string(connectivity.number_of_faces()) << '\n';
   std::string line;
   for (int f = 0; f < connectivity.number_of_faces(); ++f) {
