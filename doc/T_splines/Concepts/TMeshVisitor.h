@@ -7,7 +7,8 @@
 
 The concept `TMeshVisitor` describes what follows the changes of a T-mesh: surface points, control points, drawings.
 A model is passed to `CGAL::T_splines::T_mesh_editor`, or by the named parameter `visitor` to
-`CGAL::T_splines::regularize_T_mesh()`, `CGAL::T_splines::refine_T_mesh()`, `CGAL::T_splines::make_spline_compatible()` and
+`CGAL::T_splines::regularize_T_mesh()`, `CGAL::T_splines::refine_T_mesh()`, `CGAL::T_splines::grade_T_mesh()`,
+`CGAL::T_splines::make_spline_compatible()` and
 `CGAL::T_splines::insert_knot_line()`. Of these, only the last one takes care of control points.
 
 Visitors are passed by value and copied freely: one with state keeps a pointer or a reference to it. All functions

@@ -82,7 +82,7 @@ Exact_map_report<TriangleMesh> exact_map_report(const Mesh_indexing<TriangleMesh
 /// coordinates on one side of each seam are kept; those on the other, and those of cones, follow from the transitions.
 ///
 /// Where the isoline of a cone passes another cone, or a corner of the border, at a distance of no more than
-/// `internal::coincidence_tolerance` times the longest side of the triangle there, or what noise explains, both are
+/// 1e-5 (`internal::coincidence_tolerance`) times the longest side of the triangle there, or what noise explains, both are
 /// moved such that it runs into it exactly. If all scale factors are 1, all coordinates become doubles and those of
 /// seams and cones short ones, so that knots of the traced T-mesh are doubles.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`

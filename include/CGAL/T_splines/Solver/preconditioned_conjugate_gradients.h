@@ -17,7 +17,7 @@ namespace T_splines {
 template <typename FT>
 struct Conjugate_gradients_workspace {
   std::vector<FT> residual, ///< b - A x
-      preconditioned,       ///< the solution with the factorization for the residual
+      preconditioned,       ///< the residual, solved with the factorization
       search,               ///< the direction of the step
       image;                ///< A times the direction
 };

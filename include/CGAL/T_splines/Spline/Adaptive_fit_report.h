@@ -72,7 +72,7 @@ struct Adaptive_fit_report {
   std::vector<T_spline_fit_level> levels;                             ///< always set
   std::size_t best_level = 0;                                         ///< of the surface that was written
   std::size_t number_of_samples = 0;                                  ///< of the last level
-  T_spline_fit_report<Graph> fit;                                     ///< the fit of the last level
+  T_spline_fit_report<Graph> fit;                                     ///< INADMISSIBLE, FIT_FAILED: why
 
   /// returns whether `status` tells of success.
   bool success() const { return status <= Adaptive_fit_status::RESOLUTION_REACHED; }

@@ -24,7 +24,7 @@ struct Surface_curvatures {
   FT gaussian;                ///< product of the principal curvatures
   FT mean;                    ///< half of their sum
   FT minimal,                 ///< the smaller principal curvature
-      maximal;                ///< the principal curvatures
+      maximal;                ///< the larger one
   Vector_3 minimal_direction; ///< unit tangent vectors; any orthogonal pair where the curvatures are equal
   Vector_3 maximal_direction; ///< orthogonal to the other
 };
