@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Newton_system.h>
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
 #include <CGAL/T_splines/Similarity_map/internal/first_degeneracy.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
@@ -78,7 +79,7 @@ private:
   {
     int blocked = 0, without_progress = 0;
     while (true) {
-      m_system.evaluate(m_structure);
+      m_system.evaluate(m_structure, m_progress);
       const double residual = m_system.residual();
       without_progress = residual < 0.9 * m_report.residual ? 0 : without_progress + 1;
       if (residual < m_report.residual) {
@@ -190,8 +191,8 @@ private:
   bool flip_all_to_delaunay(std::size_t& count)
   {
     const std::size_t most_flips = 1000 + 100 * static_cast<std::size_t>(m_structure.mesh.number_of_edges());
-    const std::size_t flips = CGAL::T_splines::internal::flip_to_delaunay(
-        m_structure, most_flips, [this](const Index h) { m_structure.flip_euclidean(h); });
+    const std::size_t flips = CGAL::T_splines::internal::flip_all_to_delaunay(
+        m_structure, most_flips, [this](const Index h) { m_structure.flip_euclidean(h); }, m_progress);
     count += flips;
     m_is_pattern_new = m_is_pattern_new || flips > 0;
     return flips <= most_flips;
@@ -201,7 +202,8 @@ private:
   bool m_delaunay;
   Structure m_structure;
   CGAL::T_splines::internal::Newton_system<double> m_system;
-  std::vector<int> m_component; // per vertex
+  CGAL::T_splines::internal::Progress m_progress; // nobody is asked
+  std::vector<int> m_component;                   // per vertex
   std::vector<int> m_vertex_row, m_face_row;
   int m_first_loop_row = 0;
 

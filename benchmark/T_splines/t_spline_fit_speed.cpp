@@ -14,6 +14,7 @@
 #include <CGAL/T_splines/Spline/T_spline.h>
 #include <CGAL/T_splines/Spline/T_spline_surface.h>
 #include <CGAL/T_splines/Spline/fit_T_spline.h>
+#include <CGAL/T_splines/Approximation/Surface_T_mesh.h>
 #include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>
 #include <CGAL/T_splines/T_mesh/Carried_points.h>
 #include <CGAL/T_splines/T_mesh/Surface_face_size.h>
@@ -125,10 +126,10 @@ bool make_problem(const std::string& name, const T::Seamless_map<Mesh, FT>& map,
   Points points;
   for (const Sample& s : samples)
     points.add(s.place.face, s.place.u, s.place.v, Kernel::Weighted_point_3(s.point, s.weight));
-  T::regularize_T_mesh(p.t_mesh, CGAL::parameters::visitor(points.visitor()));
+  T::regularize_T_mesh(p.t_mesh, T::parameters::observer(points.observer()));
   const T::T_mesh_coordinates coordinates(p.t_mesh);
   T::Surface_face_size size(coordinates, points);
-  const auto np = CGAL::parameters::visitor(size.visitor());
+  const auto np = T::parameters::observer(size.observer());
   if (!is_success(name, T::refine_T_mesh(p.t_mesh, size, face_size, np)) ||
       (is_compatible && !is_success(name, T::make_spline_compatible(p.t_mesh, np))))
     return false;
@@ -250,39 +251,25 @@ void measure_one_fit(const std::string& name, const T::Seamless_map<Mesh, FT>& m
         iterative_seconds, &iterative);
 }
 
-/// Takes the time of the levels.
-struct Level_clock : T::Adaptive_fit_visitor {
-  std::vector<double>* times;
-
-  explicit Level_clock(std::vector<double>& t) : times(&t) {}
-
-  template <typename TMesh>
-  void level_fitted(const T::T_spline_fit_level& /*level*/, const TMesh& /*t_mesh*/) const
-  {
-    times->push_back(cpu_seconds());
-  }
-};
-
-void measure_adaptive_fit(const std::string& name, const T::Seamless_map<Mesh, FT>& map, const CGAL::Bbox_3& box,
-                          const double tolerance, const double seconds_of_map)
+void measure_adaptive_fit(const std::string& name, const T::Seamless_map<Mesh, FT>& map, const double tolerance,
+                          const double seconds_of_map)
 {
   namespace P = T::parameters;
   const double before = cpu_seconds();
-  Exact_t_mesh t_mesh;
-  const auto anchors = t_mesh.graph().add_property_map<Face, T::T_mesh_anchor<Mesh, FT>>("f:anchor").first;
-  if (!is_success(name, T::trace_motorcycle_graph(map, t_mesh, P::face_anchor_map(anchors))))
+  T::Surface_T_mesh<Mesh, FT> placed;
+  if (!is_success(name, T::compute_T_mesh(map, placed)))
     return;
-  T::Carried_surface<Mesh> surface = T::carry_surface(map, t_mesh, anchors);
-  T::regularize_T_mesh(t_mesh, CGAL::parameters::visitor(surface.visitor()));
   T::T_spline<Kernel> spline;
   std::vector<double> times{cpu_seconds()};
   const double t_mesh_seconds = times.front() - before;
   const auto report = T::fit_adaptive_T_spline(
-      t_mesh, surface, tolerance * std::max({box.x_span(), box.y_span(), box.z_span()}), spline,
-      P::maximum_number_of_control_points(map.mesh().number_of_vertices()).visitor(Level_clock(times)));
+      placed.t_mesh(), placed.surface(), map.mesh(), tolerance, spline,
+      P::maximum_number_of_control_points(
+          map.mesh().number_of_vertices(),
+          P::level_observer([&](const auto& /*level*/, const auto& /*t_mesh*/) { times.push_back(cpu_seconds()); })));
   const double end = cpu_seconds();
   if (!report.success()) {
-    std::cerr << name << ": " << describe(report, t_mesh.graph()) << '\n';
+    std::cerr << name << ": " << describe(report, placed.t_mesh().graph()) << '\n';
     return;
   }
   std::printf("adaptive fit: tolerance %.3g %%: %s\n", 100 * tolerance, message(report.status));
@@ -309,7 +296,7 @@ void measure(const std::string& name, Mesh& mesh, const Arguments& arguments)
     return;
   const double seconds = cpu_seconds() - start;
   measure_one_fit(name, *map, box, arguments);
-  measure_adaptive_fit(name, *map, box, arguments.real("--tolerance", 0.001), seconds);
+  measure_adaptive_fit(name, *map, arguments.real("--tolerance", 0.001), seconds);
 }
 
 } // namespace

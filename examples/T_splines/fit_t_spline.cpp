@@ -11,11 +11,8 @@
 #include <CGAL/T_splines.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -24,7 +21,6 @@
 namespace T = CGAL::T_splines;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using FT = CGAL::Exact_rational;
 
 int failure(const std::string& what, const std::string& message)
 {
@@ -35,36 +31,27 @@ int failure(const std::string& what, const std::string& message)
 int main(int argc, char* argv[])
 {
   const std::string map_file = argc > 1 ? argv[1] : "seamless_similarity_map.obj";
-  const double relative_tolerance = argc > 2 ? std::atof(argv[2]) : 0.005;
+  const double tolerance = argc > 2 ? std::atof(argv[2]) : T::default_tolerance;
   const std::string t_spline_file = argc > 3 ? argv[3] : "fit_t_spline.ply";
   Mesh mesh;
   const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   const T::Mesh_reading_report reading = T::read_map_obj(map_file, mesh, uv);
   if (!reading.success())
     return failure(map_file, describe(reading));
-  T::Seamless_map<Mesh, FT> map(mesh);
+  T::Seamless_map<Mesh> map(mesh);
   if (const auto report = T::make_exactly_seamless(mesh, uv, map); !report.success())
     return failure(map_file, message(report.status));
-  T::T_mesh<Kernel::Point_3, FT> t_mesh;
-  const auto anchors = t_mesh.graph().add_property_map<Mesh::Face_index, T::T_mesh_anchor<Mesh, FT>>("f:anchor").first;
-  const auto graph = T::trace_motorcycle_graph(map, t_mesh, T::parameters::face_anchor_map(anchors));
-  if (!graph.success())
-    return failure(map_file, message(graph.status));
-
-  // The mesh stays on the faces of the T-mesh, while these become squarer.
-  T::Carried_surface<Mesh> surface = T::carry_surface(map, t_mesh, anchors);
-  T::regularize_T_mesh(t_mesh, CGAL::parameters::visitor(surface.visitor()));
-
-  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
-  const double tolerance = relative_tolerance * std::max({box.x_span(), box.y_span(), box.z_span()});
-  T::T_spline<Kernel> spline;
-  const auto report = T::fit_adaptive_T_spline(t_mesh, surface, tolerance, spline);
+  T::Surface_T_mesh<Mesh> placed; // the T-mesh, and the mesh on its faces
+  if (const auto report = T::compute_T_mesh(map, placed); !report.success())
+    return failure(map_file, message(report.status));
+  T::T_spline<> spline;
+  const auto report = T::fit_adaptive_T_spline(placed.t_mesh(), placed.surface(), mesh, tolerance, spline);
   if (!report.success())
-    return failure(map_file, describe(report, t_mesh.graph()));
+    return failure(map_file, describe(report, placed.t_mesh().graph()));
   for (const T::T_spline_fit_level& level : report.levels)
     std::cout << level.number_of_control_points << " control points: error " << level.error.relative_rms()
               << " (root mean square), " << level.error.relative_maximum() << " (largest)\n";
-  std::cout << message(report.status) << "\n";
+  std::cout << describe(report, placed.t_mesh().graph()) << "\n";
   if (const std::error_code error = T::write_t_mesh(t_spline_file, spline))
     return failure(t_spline_file, error.message());
   return EXIT_SUCCESS;

@@ -1,15 +1,16 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// From a mesh, or a seamless map, to a T-spline surface: see help_text in mesh_to_t_spline/Options.h.
+// From a mesh, or a seamless map, to a T-spline surface: see mesh_to_t_spline/Options.h.
 
 #include "mesh_to_t_spline/Failure.h"
 #include "mesh_to_t_spline/Figures.h"
+#include "mesh_to_t_spline/Option_table.h"
 #include "mesh_to_t_spline/Options.h"
 #include "mesh_to_t_spline/Options_parser.h"
 #include "mesh_to_t_spline/Output_files.h"
 #include "mesh_to_t_spline/Progress.h"
-#include "mesh_to_t_spline/Refined_map.h"
+#include "mesh_to_t_spline/Mapped_mesh_figures.h"
 #include "mesh_to_t_spline/Results.h"
 #include "mesh_to_t_spline/Summary.h"
 #include "mesh_to_t_spline/guidance.h"
@@ -34,7 +35,6 @@
 #include <new>
 #include <ostream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace {
@@ -103,12 +103,13 @@ private:
     return !failure || fail(failure.is_bad_input ? exit_bad_input : exit_failure, failure.message);
   }
 
-  bool end_reading(const CGAL::T_splines::Mesh_reading_report& report, Mesh& mesh)
+  bool end_reading(const CGAL::T_splines::Mesh_reading_report& report)
   {
     m_progress.end_stage();
     if (!report.success())
       return fail(exit_bad_input, m_options.input_file() + ": " + describe(report) + "; " + advice(report));
-    m_figures.input = input_figures(mesh, m_options.input_file(), report);
+    m_results.approximation.emplace(m_results.input);
+    m_figures.input = input_figures(m_results.input, m_options.input_file(), report);
     if (!m_figures.input.note.empty() && !m_options.is_quiet)
       std::cerr << m_options.input_file() << ": note: " << m_figures.input.note << "\n";
     return true;
@@ -117,28 +118,25 @@ private:
   bool read_mesh()
   {
     namespace P = CGAL::T_splines::parameters;
-    m_progress.begin_stage("reading");
     const double distance = m_options.merge_distance.value_or(CGAL::T_splines::default_merge_distance);
-    const auto np = P::merge_distance(m_options.is_merged ? distance : -1, P::repair(m_options.is_repaired));
-    return end_reading(CGAL::T_splines::read_triangle_mesh(m_options.mesh, m_results.input, np), m_results.input);
+    const auto np = P::merge_distance(m_options.is_merged ? distance : -1, P::repair(m_options.is_repaired))
+                        .visitor(Progress_handle(m_progress));
+    return end_reading(CGAL::T_splines::read_triangle_mesh(m_options.mesh, m_results.input, np));
   }
 
   bool read_map()
   {
-    m_progress.begin_stage("reading");
-    Refined_map& refined = m_results.refined;
     m_figures.signature.source = "map " + std::filesystem::path(m_options.uv).filename().string();
-    return end_reading(CGAL::T_splines::read_map_obj(m_options.uv, refined.mesh, refined.uv), refined.mesh);
+    m_results.uv = m_results.input.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
+    return end_reading(CGAL::T_splines::read_map_obj(m_options.uv, m_results.input, m_results.uv,
+                                                     CGAL::parameters::visitor(Progress_handle(m_progress))));
   }
 
   bool find_map()
   {
-    Signature signature;
-    m_results.has_map =
-        goes_on(find_signature(m_options, m_results.input, m_solver, m_progress, signature, m_figures.signature)) &&
-        goes_on(compute_map(m_options, m_results.input, signature, m_solver, m_progress, m_results.refined,
-                            m_figures.map.emplace()));
-    return m_results.has_map;
+    return goes_on(find_signature(m_options, m_results.input, m_solver, m_progress, *m_results.approximation,
+                                  m_figures.signature)) &&
+           goes_on(compute_map(m_options, m_solver, m_progress, *m_results.approximation, m_figures.map.emplace()));
   }
 
   bool make_t_mesh()
@@ -151,13 +149,12 @@ private:
   bool write()
   {
     m_progress.begin_stage("writing");
-    m_figures.refined = refined_figures(m_results.refined);
+    m_figures.refined = refined_figures(m_results.approximation->mapped_mesh());
     m_figures.stages = m_progress.stages();
     m_figures.seconds = m_progress.seconds();
     m_figures.peak_memory_bytes = peak_memory_bytes();
     std::string names;
-    const std::vector<std::string> inputs = {m_options.mesh, m_options.uv, m_options.field, m_options.cones};
-    const std::string failure = write_output_files(m_options.output_directory, inputs, m_results, m_figures, names);
+    const std::string failure = write_output_files(m_options, m_results, m_figures, names);
     m_progress.end_stage();
     if (!failure.empty())
       return fail(exit_failure, failure);
@@ -178,11 +175,12 @@ private:
   Results m_results;
 };
 
-void print_help(std::ostream& out)
+void print_help(const Options& options, std::ostream& out)
 {
-  constexpr std::string_view mark = "@fairness@";
-  const std::size_t position = help_text.find(mark);
-  out << help_text.substr(0, position) << default_fairness() << help_text.substr(position + mark.size());
+  if (options.asks_table)
+    out << option_table_as_markdown();
+  else
+    out << help_beginning << option_table_as_text() << help_end;
 }
 
 } // namespace
@@ -192,7 +190,7 @@ int main(const int argc, char** argv)
   Options options;
   std::string error = Options_parser(argc, argv).parse(options);
   if (error.empty() && options.asks_help) {
-    print_help(std::cout);
+    print_help(options, std::cout);
     return EXIT_SUCCESS;
   }
   if (error.empty() && options.asks_version) {

@@ -55,7 +55,7 @@ int main(int argc, char* argv[])
   if (!graph.success())
     return failure(map_file, message(graph.status));
 
-  // Two visitors follow the changes: the roots hold the T-mesh to the surface, and the vertices of the mesh travel with
+  // Two observers follow the changes: the roots hold the T-mesh to the surface, the vertices of the mesh travel with
   // the faces, whose size on the surface they measure.
   Points points;
   for (const Mesh::Vertex_index v : vertices(mesh))
@@ -63,19 +63,19 @@ int main(int argc, char* argv[])
   const T::T_mesh_coordinates coordinates(t_mesh);
   T::Surface_face_size face_size(coordinates, points);
   const T::T_mesh_roots<Mesh, Mesh, FT> roots(t_mesh.graph(), anchors);
-  const auto with_visitor = CGAL::parameters::visitor(T::T_mesh_visitor_pair(roots, face_size.visitor()));
+  const auto with_observer = T::parameters::observer(T::T_mesh_observer_pair(roots, face_size.observer()));
 
-  const auto regularization = T::regularize_T_mesh(t_mesh, with_visitor);
+  const auto regularization = T::regularize_T_mesh(t_mesh, with_observer);
   std::cout << "regularized from " << regularization.faces_before << " to " << regularization.faces_after
             << " faces, the worst aspect ratio from " << regularization.worst_aspect_before << " to "
             << regularization.worst_aspect_after << "\n";
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
   const double size = relative_size * std::max({box.x_span(), box.y_span(), box.z_span()});
-  const auto refinement = T::refine_T_mesh(t_mesh, face_size, size, with_visitor);
+  const auto refinement = T::refine_T_mesh(t_mesh, face_size, size, with_observer);
   if (!refinement.success())
     return failure("refinement", message(refinement.status));
   std::cout << "refined to " << num_faces(t_mesh.graph()) << " faces\n";
-  const auto compatibility = T::make_spline_compatible(t_mesh, with_visitor);
+  const auto compatibility = T::make_spline_compatible(t_mesh, with_observer);
   if (!compatibility.success())
     return failure("spline compatibility", describe(compatibility, t_mesh.graph()));
   std::cout << "spline compatible with " << num_faces(t_mesh.graph()) << " faces\n";

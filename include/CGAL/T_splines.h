@@ -7,6 +7,11 @@
 /// \file
 /// The whole package: every public header.
 
+#include <CGAL/T_splines/Approximation/Mapped_mesh.h>
+#include <CGAL/T_splines/Approximation/Surface_T_mesh.h>
+#include <CGAL/T_splines/Approximation/T_spline_approximation.h>
+#include <CGAL/T_splines/Approximation/T_spline_approximation_report.h>
+#include <CGAL/T_splines/Approximation/approximate_by_T_spline.h>
 #include <CGAL/T_splines/Cross_field/Cone_reduction_report.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
@@ -25,14 +30,17 @@
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
 #include <CGAL/T_splines/Cross_field/reduce_cones.h>
+#include <CGAL/T_splines/IO/Atomic_file.h>
 #include <CGAL/T_splines/IO/Mesh_reading_report.h>
 #include <CGAL/T_splines/IO/T_mesh_reading_report.h>
+#include <CGAL/T_splines/IO/base64.h>
 #include <CGAL/T_splines/IO/read_map_obj.h>
 #include <CGAL/T_splines/IO/read_t_mesh.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
 #include <CGAL/T_splines/IO/write_map_obj.h>
 #include <CGAL/T_splines/IO/write_t_mesh.h>
 #include <CGAL/T_splines/IO/write_t_spline_obj.h>
+#include <CGAL/T_splines/IO/write_t_spline_ply.h>
 #include <CGAL/T_splines/IO/write_t_spline_vtu.h>
 #include <CGAL/T_splines/Progress_visitor.h>
 #include <CGAL/T_splines/Similarity_map/Exact_map_report.h>
@@ -61,7 +69,9 @@
 #include <CGAL/T_splines/Spline/T_spline_deviation_report.h>
 #include <CGAL/T_splines/Spline/T_spline_fit_report.h>
 #include <CGAL/T_splines/Spline/T_spline_report.h>
+#include <CGAL/T_splines/Spline/T_spline_self_intersection_report.h>
 #include <CGAL/T_splines/Spline/T_spline_surface.h>
+#include <CGAL/T_splines/Spline/Tessellation_resolution.h>
 #include <CGAL/T_splines/Spline/check_T_spline_self_intersections.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
 #include <CGAL/T_splines/Spline/fit_T_spline.h>
@@ -79,11 +89,11 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_edit.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_roots.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_sample.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/Tracing_traits.h>
 #include <CGAL/T_splines/T_mesh/carry_surface.h>
 #include <CGAL/T_splines/T_mesh/grade_T_mesh.h>
@@ -95,6 +105,7 @@
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/sample_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/trace_motorcycle_graph.h>
+#include <CGAL/T_splines/defaults.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #endif // CGAL_T_SPLINES_H

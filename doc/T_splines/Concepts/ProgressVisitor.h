@@ -6,13 +6,45 @@
 \cgalConcept
 
 The concept `ProgressVisitor` describes what long computations tell the caller, and how the caller ends them early. A
-model is passed by the named parameter `visitor`.
+model is passed by the named parameter `visitor`: to every function that takes more than a moment on a mesh of half a
+million faces. (What follows the edits of a T-mesh is something else, `TMeshObserver`.)
 
 Visitors are passed by value and copied freely: one with state keeps a pointer or a reference to it. All functions
 are called on `const` objects, from the thread that called the algorithm, and should return quickly. They should not throw.
 
 A class derived from `CGAL::T_splines::Progress_visitor` may define only the functions that it cares for: they are
 not virtual, the algorithm calls those of the type that it was given.
+
+Results do not depend on the visitor, unless it ends the computation.
+
+These are the stages. What a function calls in its turn is a part of its own stages and begins none.
+
+| function | stages |
+|---|---|
+| `read_triangle_mesh()`, `read_map_obj()`, `read_t_mesh()`, `read_rawfield()`, `read_rosy()`, `read_crossfield()`, `read_ffield()` | "reading" |
+| `check_triangle_mesh()` | "mesh check" |
+| `compute_smooth_cross_field()` | "cross field" |
+| `holonomy_signature_of_cross_field()`, `holonomy_signature_of_cones()` | "holonomy signature" |
+| `check_holonomy_signature()` | "signature check" |
+| `reduce_cones()` | "cone reduction" |
+| `compute_seamless_similarity_map()` | "similarity metric", "layout", "subdivision", "output" |
+| `make_exactly_seamless()` | "exact map" |
+| `trace_motorcycle_graph()` | "tracing", "T-mesh" |
+| `carry_surface()` | "carried surface" |
+| `sample_T_mesh()` | "sampling" |
+| `regularize_T_mesh()` | "regularization" |
+| `refine_T_mesh()` | "refinement" |
+| `grade_T_mesh()` | "grading" |
+| `place_T_mesh()` | "placement" |
+| `is_admissible()` | "admissibility" |
+| `is_spline_compatible()`, `make_spline_compatible()` | "spline compatibility" |
+| `insert_knot_line()` | "knot insertion" |
+| the constructors of `T_spline_surface` | "T-spline surface" |
+| `fit_T_spline()`, `fit_adaptive_T_spline()` | "fit", in the latter once for each level |
+| `compile_T_spline()` | "compilation" |
+| `tessellate_T_spline()`, `tessellate_parameter_domain()` | "tessellation" |
+| `measure_T_spline_deviation()` | "preparation", "surface to mesh", "mesh to surface" |
+| `check_T_spline_self_intersections()` | "self-intersections" |
 
 \cgalRefines{CopyConstructible}
 
@@ -27,8 +59,7 @@ public:
 
   /*!
   is called when a stage begins.
-  \param name a string literal: "cross field"; "cone reduction"; "similarity metric", "layout", "subdivision", "output";
-         "tracing", "T-mesh".
+  \param name a string literal, one of those above
   */
   void begin_stage(const char* name) const;
 
@@ -40,8 +71,13 @@ public:
   void progress(double fraction) const;
 
   /*!
-  is asked from time to time while a cross field, a metric, a motorcycle graph or a fit is computed.
-  \return `false` to end the computation with the status `INTERRUPTED`. Nothing is written then.
+  is asked several times a second, by functions that take as long as that: after pieces of work of about the same size,
+  not by the clock. At least once in each function, however short. Not within the ordering and factorization of a matrix
+  by the solver: one to three seconds for 400000 faces with Eigen's `SimplicialLDLT`.
+  \return `false` to end the computation. Nothing more is called then, and the function returns with the status
+          `INTERRUPTED`. Its outputs are as they were before; `carry_surface()`, `sample_T_mesh()` and
+          `tessellate_parameter_domain()`, which have no status, return nothing. A T-mesh that a function edits in place
+          keeps the edits so far: it is admissible, and its observers are up to date.
   */
   bool go_on() const;
 

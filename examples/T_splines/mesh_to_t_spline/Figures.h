@@ -4,11 +4,11 @@
 #ifndef MESH_TO_T_SPLINE_FIGURES_H
 #define MESH_TO_T_SPLINE_FIGURES_H
 
+#include "Json_writer.h"
 #include "t_mesh_figures.h"
 #include "t_spline_figures.h"
 
 #include <CGAL/T_splines/IO/Mesh_reading_report.h>
-#include <CGAL/T_splines/IO/internal/Json_writer.h>
 
 #include <cstddef>
 #include <optional>
@@ -83,7 +83,7 @@ struct Figures {
   std::size_t peak_memory_bytes = 0; ///< 0: not known
 };
 
-inline void write_input_members(CGAL::T_splines::internal::Json_writer& json, const Figures::Input& input)
+inline void write_input_members(Json_writer& json, const Figures::Input& input)
 {
   json.member("name", input.name).member("path", input.path).member("note", input.note);
   json.member("merged_vertices", input.merged_vertices).member("merged_distance", input.merged_distance);
@@ -100,7 +100,7 @@ inline void write_input_members(CGAL::T_splines::internal::Json_writer& json, co
   json.member("components", input.components).member("genus", input.genus);
 }
 
-inline void write_map_figures(CGAL::T_splines::internal::Json_writer& json, const Map_figures& map)
+inline void write_map_figures(Json_writer& json, const Map_figures& map)
 {
   json.key("map").begin_object();
   json.member("status", map.status).member("converged", map.converged);
@@ -114,7 +114,7 @@ inline void write_map_figures(CGAL::T_splines::internal::Json_writer& json, cons
   json.end_object();
 }
 
-inline void write_signature_figures(CGAL::T_splines::internal::Json_writer& json, const Figures::Signature& signature)
+inline void write_signature_figures(Json_writer& json, const Figures::Signature& signature)
 {
   json.key("signature").begin_object();
   json.member("source", signature.source);
@@ -135,7 +135,7 @@ inline void write_signature_figures(CGAL::T_splines::internal::Json_writer& json
   json.end_object();
 }
 
-inline void write_refined_figures(CGAL::T_splines::internal::Json_writer& json, const Figures::Refined& refined)
+inline void write_refined_figures(Json_writer& json, const Figures::Refined& refined)
 {
   json.key("refined").begin_object();
   json.member("vertices", refined.vertices).member("faces", refined.faces).member("cut_edges", refined.cut_edges);
@@ -151,7 +151,7 @@ inline void write_refined_figures(CGAL::T_splines::internal::Json_writer& json, 
   json.end_object();
 }
 
-inline void write_t_mesh_figures(CGAL::T_splines::internal::Json_writer& json, const T_mesh_stage_figures& figures)
+inline void write_t_mesh_figures(Json_writer& json, const T_mesh_stage_figures& figures)
 {
   json.key("t_mesh").begin_object();
   write_tracing_figures(json, figures.tracing);
@@ -166,7 +166,7 @@ inline void write_t_mesh_figures(CGAL::T_splines::internal::Json_writer& json, c
 /// The content of `report.json`.
 inline std::string figures_as_json(const Figures& figures)
 {
-  CGAL::T_splines::internal::Json_writer json;
+  Json_writer json;
   json.begin_object();
   json.member("program", "mesh_to_t_spline").member("version", figures.version);
   json.key("input").begin_object();

@@ -7,19 +7,18 @@
 #include "Progress.h"
 
 #include <CGAL/T_splines/IO/write_t_mesh.h>
-#include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>
-
-#include <CGAL/Named_function_parameters.h>
+#include <CGAL/T_splines/Progress_visitor.h>
+#include <CGAL/T_splines/Spline/Adaptive_fit_report.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <sstream>
 #include <string>
-#include <string_view>
 #include <vector>
 
-/// Shows the levels of a fit as they come, and keeps their files.
+/// Shows the levels of a fit as they come, and keeps their files: a level observer.
 class Level_recorder {
 public:
   /// \param tolerance by the longest side
@@ -35,7 +34,7 @@ public:
   void show() { m_progress.progress(m_fraction); }
 
   template <typename TMesh>
-  void add(const CGAL::T_splines::T_spline_fit_level& level, const TMesh& t_mesh)
+  void operator()(const CGAL::T_splines::T_spline_fit_level& level, const TMesh& t_mesh)
   {
     const double error = level.error.relative_maximum();
     if (m_number_of_levels == 0)
@@ -48,9 +47,9 @@ public:
     m_progress.set_note(note, m_fraction);
     if (m_files == nullptr)
       return;
-    std::string& file = m_files->emplace_back();
-    const auto sink = [&file](const std::string_view text) { file += text; };
-    CGAL::T_splines::internal::format_t_mesh(sink, t_mesh, CGAL::parameters::default_values());
+    std::ostringstream file;
+    CGAL::T_splines::write_t_mesh(file, t_mesh);
+    m_files->push_back(file.str());
   }
 
 private:
@@ -68,20 +67,13 @@ private:
   std::vector<std::string>* m_files;
 };
 
-/// The visitor that the fit is given, a model of `Adaptive_fit_visitor`: a handle of `Level_recorder`.
-class Fit_visitor {
+/// The visitor that the fit is given: a handle of `Level_recorder`. How far a level is, is no progress of the whole.
+class Fit_visitor : public CGAL::T_splines::Progress_visitor {
 public:
   explicit Fit_visitor(Level_recorder& recorder) : m_recorder(&recorder) {}
 
-  void begin_stage(const char*) const {}
-  void progress(double) const { m_recorder->show(); } // the fraction of one level
+  void progress(double) const { m_recorder->show(); }
   bool go_on() const { return m_recorder->go_on(); }
-
-  template <typename TMesh>
-  void level_fitted(const CGAL::T_splines::T_spline_fit_level& level, const TMesh& t_mesh) const
-  {
-    m_recorder->add(level, t_mesh);
-  }
 
 private:
   Level_recorder* m_recorder;

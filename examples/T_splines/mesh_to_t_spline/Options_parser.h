@@ -95,7 +95,9 @@ private:
 
   bool parse_general_option(Options& options)
   {
-    if (m_name == "--help" || m_name == "-h")
+    if (m_name == "--help" && m_value == "markdown")
+      options.asks_help = options.asks_table = true;
+    else if (m_name == "--help" || m_name == "-h")
       parse_flag(options.asks_help);
     else if (m_name == "--version")
       parse_flag(options.asks_version);
@@ -145,6 +147,8 @@ private:
       parse_flag(options.has_levels);
     else if (m_name == "--resolution")
       options.resolution = integer(value(), 2);
+    else if (m_name == "--mesh-format")
+      options.mesh_format = static_cast<Mesh_format>(choice(value(), {"obj", "ply"}));
     else
       return false;
     m_spline_option = m_name;

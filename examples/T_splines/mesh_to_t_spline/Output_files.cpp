@@ -3,15 +3,18 @@
 
 #include "Output_files.h"
 
+#include "Mapped_mesh_figures.h"
 #include "report_page.h"
 
-#include <CGAL/T_splines/IO/internal/Atomic_file.h>
+#include <CGAL/T_splines/IO/Atomic_file.h>
 #include <CGAL/T_splines/IO/write_map_obj.h>
 #include <CGAL/T_splines/IO/write_t_mesh.h>
 #include <CGAL/T_splines/IO/write_t_spline_obj.h>
+#include <CGAL/T_splines/IO/write_t_spline_ply.h>
 #include <CGAL/T_splines/IO/write_t_spline_vtu.h>
+#include <CGAL/T_splines/Spline/Tessellation_resolution.h>
 
-#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 
 #include <algorithm>
 #include <array>
@@ -21,6 +24,7 @@
 #include <fstream>
 #include <ios>
 #include <optional>
+#include <ostream>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -35,25 +39,23 @@ namespace {
 
 /// Hands the report page to `sink`.
 template <typename Sink>
-void write_report_page(Sink& sink, const std::string& report, const Results& results)
+void write_report_page(Sink& sink, const std::string& report, const Results& results, const bool is_map_computed)
 {
-  const Refined_map& refined = results.refined;
+  const Mapped& mapped = results.approximation->mapped_mesh();
   std::optional<Input_edge_finder> finder;
-  if (results.has_map)
-    finder.emplace(results.input, refined);
+  if (is_map_computed)
+    finder.emplace(results.input, mapped);
   const auto is_input_edge = [&finder](const Edge e) { return !finder || (*finder)(e); };
-  const auto is_cut = [&refined](const Edge e) { return refined.is_cut[e]; };
-  const Page_frame frame = page_frame(refined.mesh, refined.mesh.points());
-  write_report_page(sink, report, frame,
-                    page_mesh(refined.mesh, refined.mesh.points(), refined.uv, frame, is_input_edge, is_cut),
-                    results.traced, results.regularized, results.surface_drawing);
+  const Page_frame frame(CGAL::Polygon_mesh_processing::bbox(mapped.mesh()));
+  write_report_page(sink, report, frame, page_mesh(mapped, frame, is_input_edge), results.traced, results.regularized,
+                    results.surface_drawing);
 }
 
 /// Whether a file has a name of those that the program writes.
 bool is_name_of_output(const std::string& name)
 {
-  constexpr std::array<std::string_view, 6> fixed = {"map.obj",      "t_mesh.ply",  "t_spline.vtu",
-                                                     "t_spline.obj", "report.json", "report.html"};
+  constexpr std::array<std::string_view, 7> fixed = {"map.obj",           "t_mesh.ply",  "t_spline.vtu", "t_spline.obj",
+                                                     "t_spline_mesh.ply", "report.json", "report.html"};
   if (std::find(fixed.begin(), fixed.end(), name) != fixed.end())
     return true;
   constexpr std::string_view begin = "level_", end = ".ply";
@@ -79,15 +81,13 @@ public:
   explicit Output_files(std::filesystem::path directory) : m_directory(std::move(directory)) {}
 
   /// Adds a file.
-  /// \param format is called with a function object that takes pieces of the content
+  /// \param format is called with a stream
   /// \param title what the list of names says of it; if this is empty, nothing
   template <typename Format>
   void add(const std::string& name, const Format& format, const std::string& title)
   {
     m_names.insert(name);
-    Atomic_file& file = m_files.emplace_back(m_directory / name);
-    const auto sink = [&file](const std::string_view text) { file.write(text); };
-    format(sink);
+    format(m_files.emplace_back(m_directory / name).stream());
     if (!title.empty())
       m_titles.push_back(title);
   }
@@ -121,7 +121,7 @@ public:
   }
 
 private:
-  using Atomic_file = CGAL::T_splines::internal::Atomic_file;
+  using Atomic_file = CGAL::T_splines::Atomic_file;
 
   static std::string failure(const Atomic_file& file)
   {
@@ -156,26 +156,26 @@ std::string remove_files_of_earlier_run(const std::filesystem::path& directory, 
   return error ? "cannot read " + directory.string() + ": " + error.message() : "";
 }
 
-template <typename Sink, typename TMesh>
-void format_t_mesh(Sink& sink, const TMesh& t_mesh)
+void add_t_spline(const Options& options, const Results& results, Output_files& files)
 {
-  CGAL::T_splines::internal::format_t_mesh(sink, t_mesh, CGAL::parameters::default_values());
-}
-
-void add_t_spline(const Results& results, Output_files& files)
-{
-  files.add("t_mesh.ply", [&](auto& sink) { format_t_mesh(sink, results.fitted); });
+  namespace T = CGAL::T_splines;
+  files.add("t_mesh.ply", [&](std::ostream& out) { T::write_t_mesh(out, results.fitted); });
   const auto level_name = [](const std::size_t i) { return "level_" + std::to_string(i) + ".ply"; };
   const std::size_t number = results.levels.size();
   const std::string title = number < 2 ? level_name(0) : level_name(0) + " to " + level_name(number - 1);
   for (std::size_t i = 0; i < number; ++i)
     files.add(
-        level_name(i), [&](auto& sink) { sink(results.levels[i]); }, i == 0 ? title : "");
-  files.add("t_spline.vtu",
-            [&](auto& sink) { CGAL::T_splines::internal::format_t_spline_vtu(sink, *results.surface); });
-  files.add("t_spline.obj", [&](auto& sink) {
-    CGAL::T_splines::internal::format_t_spline_obj(sink, *results.surface, results.resolution);
-  });
+        level_name(i), [&](std::ostream& out) { out << results.levels[i]; }, i == 0 ? title : "");
+  files.add("t_spline.vtu", [&](std::ostream& out) { T::write_t_spline_vtu(out, *results.surface); });
+  const T::Tessellation_resolution resolution =
+      options.resolution
+          ? T::Tessellation_resolution(*options.resolution)
+          : T::Tessellation_resolution::within(0.25 * options.tolerance * longest_side_of(results.input));
+  if (options.mesh_format == Mesh_format::PLY)
+    files.add("t_spline_mesh.ply",
+              [&](std::ostream& out) { T::write_t_spline_ply(out, *results.surface, resolution); });
+  else
+    files.add("t_spline.obj", [&](std::ostream& out) { T::write_t_spline_obj(out, *results.surface, resolution); });
 }
 
 } // namespace
@@ -201,12 +201,15 @@ std::string check_input_stays(const Options& options)
 {
   const std::filesystem::path input = options.input_file();
   const std::string name = input.filename().string();
-  const bool is_written =
-      name == "map.obj"                                  ? options.uv.empty()
-      : name == "t_mesh.ply"                             ? !options.is_map_only
-      : name == "t_spline.vtu" || name == "t_spline.obj" ? options.has_spline && !options.is_map_only
-      : name == "report.json" || name == "report.html"   ? true
-                                                         : options.has_levels && is_name_of_output(name);
+  const bool has_spline = options.has_spline && !options.is_map_only, is_ply = options.mesh_format == Mesh_format::PLY;
+  const bool is_written = name == "map.obj"             ? options.uv.empty()
+                          : name == "t_mesh.ply"        ? !options.is_map_only
+                          : name == "t_spline.vtu"      ? has_spline
+                          : name == "t_spline.obj"      ? has_spline && !is_ply
+                          : name == "t_spline_mesh.ply" ? has_spline && is_ply
+                          : name == "report.json" || name == "report.html"
+                              ? true
+                              : options.has_levels && is_name_of_output(name);
   std::error_code error; // if one of them does not exist
   const std::filesystem::path output = std::filesystem::path(options.output_directory) / name;
   if (!is_written || !std::filesystem::equivalent(input, output, error))
@@ -214,29 +217,38 @@ std::string check_input_stays(const Options& options)
   return "the output would replace the input " + input.string() + "; choose another directory with -o";
 }
 
-std::string write_output_files(const std::filesystem::path& directory, const std::vector<std::string>& inputs,
-                               const Results& results, const Figures& figures, std::string& names)
+std::string write_output_files(const Options& options, const Results& results, const Figures& figures,
+                               std::string& names)
 {
+  const std::filesystem::path directory = options.output_directory;
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error)
     return "cannot make " + directory.string() + ": " + error.message();
 
   Output_files files(directory);
-  if (results.has_map)
-    files.add("map.obj", [&](auto& sink) {
-      const Refined_map& refined = results.refined;
-      CGAL::T_splines::internal::format_map_obj(sink, refined.mesh, refined.uv, refined.mesh.points());
+  const Approximation& approximation = *results.approximation;
+  const bool is_map_computed = options.uv.empty();
+  if (is_map_computed)
+    files.add("map.obj", [&](std::ostream& out) {
+      const Mapped& mapped = approximation.mapped_mesh();
+      CGAL::T_splines::write_map_obj(out, mapped.mesh(), mapped.uv());
     });
   if (results.surface)
-    add_t_spline(results, files);
-  else if (results.has_t_mesh)
-    files.add("t_mesh.ply", [&](auto& sink) { format_t_mesh(sink, results.t_mesh.t_mesh); });
+    add_t_spline(options, results, files);
+  else if (approximation.has_T_mesh())
+    files.add("t_mesh.ply",
+              [&](std::ostream& out) { CGAL::T_splines::write_t_mesh(out, approximation.t_mesh().t_mesh()); });
   const std::string report = figures_as_json(figures);
-  files.add("report.json", [&report](auto& sink) { sink(report); });
-  files.add("report.html", [&](auto& sink) { write_report_page(sink, report, results); });
+  files.add("report.json", [&report](std::ostream& out) { out << report; });
+  files.add("report.html", [&](std::ostream& out) {
+    const auto sink = [&out](const std::string_view text) { out << text; };
+    write_report_page(sink, report, results, is_map_computed);
+  });
   names = files.names();
   const bool has_earlier_run = is_report_of_this_program(directory / "report.json");
   const std::string failure = files.commit();
-  return failure.empty() && has_earlier_run ? remove_files_of_earlier_run(directory, files, inputs) : failure;
+  if (!failure.empty() || !has_earlier_run)
+    return failure;
+  return remove_files_of_earlier_run(directory, files, {options.mesh, options.uv, options.field, options.cones});
 }

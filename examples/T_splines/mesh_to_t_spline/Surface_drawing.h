@@ -4,7 +4,7 @@
 #ifndef MESH_TO_T_SPLINE_SURFACE_DRAWING_H
 #define MESH_TO_T_SPLINE_SURFACE_DRAWING_H
 
-#include "Refined_map.h"
+#include "Approximation.h"
 
 #include <algorithm>
 #include <cmath>

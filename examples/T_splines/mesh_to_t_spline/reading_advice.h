@@ -14,7 +14,9 @@ inline std::string advice_without_options(const CGAL::T_splines::Mesh_reading_st
 {
   using Status = CGAL::T_splines::Mesh_reading_status;
   switch (status) {
-  case Status::SUCCESS: return "";
+  case Status::SUCCESS:
+  case Status::OUTPUT_NOT_EMPTY:
+  case Status::INTERRUPTED: return "";
   case Status::CANNOT_OPEN: return "check the name of the file, and whether it may be read";
   case Status::UNKNOWN_FORMAT: return "convert the file, or give it the extension of its format";
   case Status::UNSUPPORTED_VARIANT: return "save the mesh in another of the formats, binary PLY for instance";

@@ -4,17 +4,15 @@
 #ifndef MESH_TO_T_SPLINE_REPORT_PAGE_H
 #define MESH_TO_T_SPLINE_REPORT_PAGE_H
 
+#include "Approximation.h"
+#include "Json_writer.h"
 #include "Surface_drawing.h"
-#include "Surface_t_mesh.h"
+#include "T_mesh_drawing.h"
 #include "report_page_files.h" // made by CMake from the folder page
 
-#include <CGAL/T_splines/IO/internal/Json_writer.h>
-#include <CGAL/T_splines/IO/internal/base64.h>
-#include <CGAL/T_splines/IO/internal/Uv_vertex_table.h>
-#include <CGAL/T_splines/internal/Mesh_indexing.h>
+#include <CGAL/T_splines/IO/base64.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/boost/graph/iterator.h>
 
 #include <array>
 #include <cmath>
@@ -27,7 +25,7 @@
 #include <string_view>
 #include <vector>
 
-using CGAL::T_splines::internal::base64_of_array;
+using CGAL::T_splines::base64_of_array;
 
 /// The mesh as the page wants it: see `readMesh()` in page/geometry.js.
 struct Page_mesh {
@@ -79,42 +77,52 @@ private:
 
 inline std::string frame_as_json(const Page_frame& frame)
 {
-  CGAL::T_splines::internal::Json_writer json;
+  Json_writer json;
   json.begin_object().array_member("middle", frame.middle()).member("diagonal", frame.diagonal()).end_object();
   return json.text();
 }
 
-template <typename Mesh, typename VertexPointMap>
-Page_frame page_frame(const Mesh& mesh, const VertexPointMap vertex_point_map)
-{
-  CGAL::Bbox_3 box;
-  for (const auto v : CGAL::make_range(vertices(mesh)))
-    box += get(vertex_point_map, v).bbox();
-  return Page_frame(box);
-}
+/// Numbers the pairs of a vertex and one of its uv: the vertices of the surface after it has been cut open along its
+/// seams.
+class Uv_vertices {
+public:
+  explicit Uv_vertices(const Mapped& mapped) : m_mapped(mapped), m_of_vertex(mapped.mesh().number_of_vertices()) {}
+
+  /// The number of the pair at the target of `h` on its face; if it is new, it is appended to `page`.
+  std::uint32_t operator()(const Halfedge h, Page_mesh& page)
+  {
+    const Vertex v = m_mapped.mesh().target(h);
+    const Kernel::Point_2& uv = m_mapped.uv()[h];
+    for (const std::uint32_t i : m_of_vertex[v])
+      if (page.uv[2 * i] == uv.x() && page.uv[2 * i + 1] == uv.y())
+        return i;
+    m_of_vertex[v].push_back(static_cast<std::uint32_t>(page.uv_vertices.size()));
+    page.uv.insert(page.uv.end(), {uv.x(), uv.y()});
+    page.uv_vertices.push_back(v);
+    return m_of_vertex[v].back();
+  }
+
+private:
+  const Mapped& m_mapped;
+  std::vector<std::vector<std::uint32_t>> m_of_vertex;
+};
 
 /// \param is_input_edge edge -> bool: lies on an edge of the input
-/// \param is_cut edge -> bool
-template <typename FaceGraph, typename VertexPointMap, typename HalfedgeUVMap, typename IsInputEdge, typename IsCut>
-Page_mesh page_mesh(const FaceGraph& mesh, const VertexPointMap vertex_point_map, const HalfedgeUVMap uv_map,
-                    const Page_frame& frame, const IsInputEdge& is_input_edge, const IsCut& is_cut)
+template <typename IsInputEdge>
+Page_mesh page_mesh(const Mapped& mapped, const Page_frame& frame, const IsInputEdge& is_input_edge)
 {
-  const CGAL::T_splines::internal::Mesh_indexing<FaceGraph> indexing(mesh);
-  const CGAL::T_splines::internal::Uv_vertex_table table(indexing, uv_map);
+  const Mesh& mesh = mapped.mesh();
+  Uv_vertices uv_vertices(mapped);
   Page_mesh result;
-  for (int v = 0; v < indexing.number_of_vertices(); ++v)
-    frame.append(get(vertex_point_map, indexing.vertex(v)), result.positions);
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    result.uv.insert(result.uv.end(), table.uv(i).begin(), table.uv(i).end());
-    result.uv_vertices.push_back(static_cast<std::uint32_t>(table.vertex(i)));
-  }
-  for (int f = 0; f < indexing.number_of_faces(); ++f) {
-    auto h = halfedge(indexing.face(f), mesh);
+  for (const Vertex v : mesh.vertices())
+    frame.append(mesh.point(v), result.positions);
+  for (const Face f : mesh.faces()) {
+    Halfedge h = mesh.halfedge(f);
     unsigned int flags = 0;
-    for (unsigned int i = 0; i < 3; ++i, h = next(h, mesh)) {
-      result.triangles.push_back(static_cast<std::uint32_t>(table.of_halfedge(indexing.halfedge_index(h))));
-      const auto opposite_side = edge(prev(h, mesh), mesh); // from the next corner to the one after it
-      flags |= (is_input_edge(opposite_side) ? 1u : 0u) << i | (is_cut(opposite_side) ? 8u : 0u) << i;
+    for (unsigned int i = 0; i < 3; ++i, h = mesh.next(h)) {
+      result.triangles.push_back(uv_vertices(h, result));
+      const Edge opposite_side = mesh.edge(mesh.prev(h)); // from the next corner to the one after it
+      flags |= (is_input_edge(opposite_side) ? 1u : 0u) << i | (mapped.cut()[opposite_side] ? 8u : 0u) << i;
     }
     result.edge_flags.push_back(static_cast<std::uint8_t>(flags));
   }

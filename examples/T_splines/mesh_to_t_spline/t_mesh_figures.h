@@ -4,7 +4,7 @@
 #ifndef MESH_TO_T_SPLINE_T_MESH_FIGURES_H
 #define MESH_TO_T_SPLINE_T_MESH_FIGURES_H
 
-#include <CGAL/T_splines/IO/internal/Json_writer.h>
+#include "Json_writer.h"
 
 #include <cstddef>
 #include <string>
@@ -40,7 +40,7 @@ struct Regularization_figures {
   T_mesh_figures t_mesh;
 };
 
-inline void write_exact_map_figures(CGAL::T_splines::internal::Json_writer& json, const Exact_map_figures& figures)
+inline void write_exact_map_figures(Json_writer& json, const Exact_map_figures& figures)
 {
   json.key("exact_map").begin_object();
   json.member("status", figures.status).member("deviation", figures.deviation);
@@ -53,7 +53,7 @@ inline void write_exact_map_figures(CGAL::T_splines::internal::Json_writer& json
   json.end_object();
 }
 
-inline void write_t_mesh_members(CGAL::T_splines::internal::Json_writer& json, const T_mesh_figures& figures)
+inline void write_t_mesh_members(Json_writer& json, const T_mesh_figures& figures)
 {
   json.member("vertices", figures.vertices).member("edges", figures.edges).member("faces", figures.faces);
   json.member("t_joints", figures.t_joints);
@@ -62,7 +62,7 @@ inline void write_t_mesh_members(CGAL::T_splines::internal::Json_writer& json, c
   json.array_member("aspect_histogram", figures.aspect_histogram);
 }
 
-inline void write_tracing_figures(CGAL::T_splines::internal::Json_writer& json, const Tracing_figures& figures)
+inline void write_tracing_figures(Json_writer& json, const Tracing_figures& figures)
 {
   json.key("tracing").begin_object();
   json.member("motorcycles", figures.motorcycles).member("seeds", figures.seeds);
@@ -71,8 +71,7 @@ inline void write_tracing_figures(CGAL::T_splines::internal::Json_writer& json, 
   json.end_object();
 }
 
-inline void write_regularization_figures(CGAL::T_splines::internal::Json_writer& json,
-                                         const Regularization_figures& figures)
+inline void write_regularization_figures(Json_writer& json, const Regularization_figures& figures)
 {
   json.key("regularized").begin_object();
   write_t_mesh_members(json, figures.t_mesh);

@@ -4,9 +4,8 @@
 #ifndef MESH_TO_T_SPLINE_T_SPLINE_FIGURES_H
 #define MESH_TO_T_SPLINE_T_SPLINE_FIGURES_H
 
+#include "Json_writer.h"
 #include "t_mesh_figures.h"
-
-#include <CGAL/T_splines/IO/internal/Json_writer.h>
 
 #include <algorithm>
 #include <array>
@@ -109,27 +108,25 @@ inline std::string verdict(const T_spline_figures& figures)
   return text;
 }
 
-inline void write_members(CGAL::T_splines::internal::Json_writer& json, const Relative_error& error)
+inline void write_members(Json_writer& json, const Relative_error& error)
 {
   json.member("rms", error.rms).member("maximum", error.maximum);
 }
 
-inline void write_members(CGAL::T_splines::internal::Json_writer& json, const T_spline_figures::Level& level)
+inline void write_members(Json_writer& json, const T_spline_figures::Level& level)
 {
   json.member("control_points", level.control_points).member("faces", level.faces);
   json.member("control_points_in_rings", level.control_points_in_rings).member("folded_faces", level.folded_faces);
   write_members(json, level.error);
 }
 
-inline void write_place(CGAL::T_splines::internal::Json_writer& json, const char* name,
-                        const Deviation_figures::Place& place)
+inline void write_place(Json_writer& json, const char* name, const Deviation_figures::Place& place)
 {
   json.key(name).begin_object().array_member("point", place.point).member("t_mesh_face", place.t_mesh_face);
   json.member("u", place.u).member("v", place.v).member("mesh_face", place.mesh_face).end_object();
 }
 
-inline void write_one_way(CGAL::T_splines::internal::Json_writer& json, const char* name,
-                          const Deviation_figures::One_way& way)
+inline void write_one_way(Json_writer& json, const char* name, const Deviation_figures::One_way& way)
 {
   json.key(name).begin_object();
   write_members(json, way.error);
@@ -139,7 +136,7 @@ inline void write_one_way(CGAL::T_splines::internal::Json_writer& json, const ch
   json.end_object();
 }
 
-inline void write_deviation(CGAL::T_splines::internal::Json_writer& json, const Deviation_figures& deviation)
+inline void write_deviation(Json_writer& json, const Deviation_figures& deviation)
 {
   json.key("deviation").begin_object();
   json.member("maximum", deviation.maximum()).member("upper_bound", deviation.upper_bound());
@@ -158,7 +155,7 @@ inline void write_deviation(CGAL::T_splines::internal::Json_writer& json, const 
   json.end_object();
 }
 
-inline void write_fit_members(CGAL::T_splines::internal::Json_writer& json, const T_spline_figures& figures)
+inline void write_fit_members(Json_writer& json, const T_spline_figures& figures)
 {
   json.member("verdict", verdict(figures)).member("is_faultless", figures.is_faultless());
   json.member("is_within_tolerance", figures.is_within_tolerance());
@@ -179,7 +176,7 @@ inline void write_fit_members(CGAL::T_splines::internal::Json_writer& json, cons
     write_deviation(json, *figures.deviation);
 }
 
-inline void write_t_spline_figures(CGAL::T_splines::internal::Json_writer& json, const T_spline_figures& figures)
+inline void write_t_spline_figures(Json_writer& json, const T_spline_figures& figures)
 {
   json.key("t_spline").begin_object();
   write_fit_members(json, figures);

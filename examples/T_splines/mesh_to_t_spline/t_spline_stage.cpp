@@ -4,19 +4,16 @@
 #include "t_spline_stage.h"
 
 #include "Fit_visitor.h"
+#include "Mapped_mesh_figures.h"
 
+#include <CGAL/T_splines/Spline/Adaptive_fit_report.h>
 #include <CGAL/T_splines/Spline/Mesh_distance.h>
-#include <CGAL/T_splines/Spline/T_spline_surface.h>
-#include <CGAL/T_splines/Spline/check_T_spline_self_intersections.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
-#include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>
-#include <CGAL/T_splines/Spline/measure_T_spline_deviation.h>
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/iterator.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -33,26 +30,24 @@
 
 namespace {
 
-using Fit_report = CGAL::T_splines::Adaptive_fit_report<Graph>;
+using Fit_report = CGAL::T_splines::Adaptive_fit_report<Graph, Graph, Mesh>;
 using Surface = T_spline::Surface;
 
-Failure failure_of(const Options& options, const Fit_report& report, const Graph& graph)
+Failure failure_of(const Options& options, const Approximation& approximation)
 {
   using Status = CGAL::T_splines::Adaptive_fit_status;
-  if (report.success())
-    return {};
-  const std::string text = describe(report, graph);
-  if (report.status != Status::LIMIT_TOO_LOW)
-    return {options.input_file() + ": " + text + " (--no-spline ends with the T-mesh)"};
-  return {"--max-control-points " + std::to_string(*options.largest_number_of_control_points) + ": " + text, true};
+  const auto& report = approximation.report();
+  if (report.fit.status != Status::LIMIT_TOO_LOW)
+    return {options.input_file() + ": " + report.reason + " (--no-spline ends with the T-mesh)"};
+  return {"--max-control-points " + std::to_string(report.fit.limit) + ": " + report.reason, true};
 }
 
 void set_fit_figures(const Fit_report& report, T_spline_figures& figures)
 {
-  using Status = CGAL::T_splines::Adaptive_fit_status;
   figures.status = message(report.status);
-  figures.fit_is_within_tolerance = report.status == Status::WITHIN_TOLERANCE;
+  figures.fit_is_within_tolerance = report.within_tolerance();
   figures.best_level = report.best_level;
+  figures.samples = report.number_of_samples;
   for (const CGAL::T_splines::T_spline_fit_level& level : report.levels)
     figures.levels.push_back({level.number_of_control_points,
                               level.number_of_faces,
@@ -62,25 +57,25 @@ void set_fit_figures(const Fit_report& report, T_spline_figures& figures)
 }
 
 /// Fits and refines.
-Failure fit(const Options& options, Chosen_spd_solver_traits& solver, Progress& progress, const Surface_t_mesh& t,
-            T_spline& fitted, std::vector<std::string>& levels, T_spline_figures& figures)
+Failure fit(const Options& options, Chosen_spd_solver_traits& solver, Progress& progress, Results& results,
+            T_spline_figures& figures)
 {
   namespace P = CGAL::T_splines::parameters;
   progress.begin_stage("fitting");
-  figures.faces_before_fit = t.t_mesh.graph().number_of_faces();
+  Approximation& approximation = *results.approximation;
+  figures.faces_before_fit = approximation.t_mesh().t_mesh().graph().number_of_faces();
   figures.tolerance = options.tolerance;
-  figures.fairness = options.fairness.value_or(default_fairness());
-  Level_recorder recorder(progress, options.tolerance, options.has_levels ? &levels : nullptr);
-  const std::size_t limit = options.largest_number_of_control_points.value_or(0);
-  const auto np = P::fairness(figures.fairness, P::maximum_number_of_control_points(limit))
-                      .visitor(Fit_visitor(recorder))
-                      .sparse_linear_solver(std::ref(solver));
-  const Fit_report report =
-      CGAL::T_splines::fit_adaptive_T_spline(t.t_mesh, t.surface, options.tolerance * figures.longest_side, fitted, np);
+  figures.fairness = options.fairness;
+  Level_recorder recorder(progress, options.tolerance, options.has_levels ? &results.levels : nullptr);
+  const auto np =
+      P::fairness(options.fairness, P::maximum_number_of_control_points(options.largest_number_of_control_points,
+                                                                        P::level_observer(std::ref(recorder))))
+          .visitor(Fit_visitor(recorder))
+          .sparse_linear_solver(std::ref(solver));
+  const bool is_fitted = approximation.fit(options.tolerance, results.fitted, np);
   progress.end_stage();
-  figures.samples = report.number_of_samples;
-  set_fit_figures(report, figures);
-  return failure_of(options, report, t.t_mesh.graph());
+  set_fit_figures(approximation.report().fit, figures);
+  return is_fitted ? Failure() : failure_of(options, approximation);
 }
 
 /// The images of the edges of the T-mesh, and the edges of the control net.
@@ -150,8 +145,6 @@ void set_surface_figures(const Results& results, T_spline_figures& figures)
       ++figures.valences[CGAL::T_splines::extended_valence(v, spline)];
 }
 
-using Deviation_report = CGAL::T_splines::T_spline_deviation_report<Graph, Mesh>;
-
 std::array<double, 3> coordinates_of(const CGAL::Simple_cartesian<double>::Point_3& p)
 {
   return {p.x(), p.y(), p.z()};
@@ -163,8 +156,10 @@ Deviation_figures::Place place_of(const CGAL::T_splines::Deviation_place<Graph, 
   return {coordinates_of(point), place.place.face, place.place.u, place.place.v, place.mesh_face};
 }
 
-Deviation_figures figures_of(const Deviation_report& report)
+/// What was measured of the surface that the fit hands out.
+Deviation_figures figures_of(const Fit_report& fit)
 {
+  const auto& report = fit.deviation;
   const auto one_way = [](const CGAL::T_splines::One_way_deviation& way,
                           const CGAL::T_splines::Deviation_place<Graph, Mesh>& place) {
     return Deviation_figures::One_way{{way.relative_rms(), way.relative_maximum()},
@@ -181,74 +176,36 @@ Deviation_figures figures_of(const Deviation_report& report)
   figures.folded_patches = report.normals.number_of_folded_patches;
   figures.doubtful_patches = report.normals.number_of_doubtful_patches;
   figures.certified_patches = report.normals.number_of_certified_patches;
+  figures.self_intersections = fit.self_intersections.number_of_intersections;
+  figures.self_intersections_of_mesh = fit.self_intersections.number_of_mesh_intersections;
+  figures.self_intersections_beyond_mesh = fit.self_intersections.number_of_new_intersections;
+  figures.self_intersection = coordinates_of(fit.self_intersections.place);
   return figures;
-}
-
-/// Measures the distances between the surface and the mesh, those of the points of the drawing included.
-Failure measure(const Options& options, const Mesh& mesh, const Compiled_t_spline& surface, Surface_drawing& drawing,
-                T_spline_figures& figures)
-{
-  namespace P = CGAL::T_splines::parameters;
-  const double tolerance = options.tolerance * figures.longest_side;
-  const Deviation_report report = CGAL::T_splines::measure_T_spline_deviation(surface, mesh, P::tolerance(tolerance));
-  if (!report.success())
-    return {options.input_file() + ": deviation: " + describe(report, mesh)};
-  figures.deviation = figures_of(report);
-  const CGAL::T_splines::Mesh_distance distance(mesh);
-  std::vector<double> distances;
-  distance.distances(drawing.points, std::back_inserter(distances));
-  for (const double x : distances)
-    drawing.deviation.push_back(x / figures.longest_side);
-  return {};
-}
-
-/// Looks for intersections of the surface with itself, in the triangles of t_spline.obj.
-void check_self_intersections(const Options& options, const Mesh& mesh, const Compiled_t_spline& surface,
-                              T_spline_figures& figures)
-{
-  namespace P = CGAL::T_splines::parameters;
-  const double tolerance = options.tolerance * figures.longest_side;
-  const auto report = CGAL::T_splines::check_T_spline_self_intersections(
-      surface, mesh, CGAL::Emptyset_iterator(),
-      P::tolerance(tolerance, P::tessellation_resolution(options.resolution)));
-  Deviation_figures& deviation = *figures.deviation;
-  deviation.self_intersections = report.number_of_intersections;
-  deviation.self_intersections_of_mesh = report.number_of_mesh_intersections;
-  deviation.self_intersections_beyond_mesh = report.number_of_new_intersections;
-  deviation.self_intersection = coordinates_of(report.place);
 }
 
 } // namespace
 
-double default_fairness()
-{
-  return CGAL::T_splines::default_fairness;
-}
-
 Failure make_t_spline(const Options& options, Chosen_spd_solver_traits& solver, Progress& progress, Results& results,
                       T_spline_figures& figures)
 {
-  const Mesh& mesh = results.has_map ? results.input : results.refined.mesh;
+  const Mesh& mesh = results.input;
   figures.longest_side = longest_side_of(mesh);
-  Failure failure = fit(options, solver, progress, results.t_mesh, results.fitted, results.levels, figures);
+  Failure failure = fit(options, solver, progress, results, figures);
   if (failure)
     return failure;
   progress.begin_stage("surface");
   const T_spline& spline = results.fitted;
   const Surface surface = spline.surface();
-  if (!surface.is_valid())
-    return {options.input_file() + ": " + describe(surface.report(), spline.graph())};
   results.surface = CGAL::T_splines::compile_T_spline(surface);
-  results.resolution = options.resolution;
   progress.begin_stage("drawing");
   results.surface_drawing = drawing_of(surface, spline, 400000);
-  progress.begin_stage("deviation");
-  failure = measure(options, mesh, *results.surface, results.surface_drawing, figures);
-  if (failure)
-    return failure;
-  progress.begin_stage("self-intersections");
-  check_self_intersections(options, mesh, *results.surface, figures);
+  const CGAL::T_splines::Mesh_distance distance(mesh);
+  std::vector<double> distances;
+  distance.distances(results.surface_drawing.points, std::back_inserter(distances));
+  for (const double x : distances)
+    results.surface_drawing.deviation.push_back(x / figures.longest_side);
   progress.end_stage();
+  figures.deviation = figures_of(results.approximation->report().fit);
   set_surface_figures(results, figures);
   return failure;
 }

@@ -11,10 +11,7 @@
 #include "Results.h"
 #include "t_spline_figures.h"
 
-/// The fairness of the fit if the options name none.
-double default_fairness();
-
-/// Fits a T-spline surface to the samples, refines it until it is within the tolerance, measures and draws it.
+/// Fits a T-spline surface to the mesh, refines it until it is within the tolerance, and draws it.
 Failure make_t_spline(const Options& options, Chosen_spd_solver_traits& solver, Progress& progress, Results& results,
                       T_spline_figures& figures);
 

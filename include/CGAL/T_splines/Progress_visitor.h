@@ -15,13 +15,13 @@ namespace T_splines {
 ///
 /// \cgalModels{ProgressVisitor}
 struct Progress_visitor {
-  /// is called when a stage begins; `name` is a string literal such as "cross field".
+  /// is called when a stage begins; `name` is a string literal such as "cross field": see `ProgressVisitor` for all.
   void begin_stage(const char* /*name*/) const {}
 
   /// is called from time to time within a stage; `fraction`, in [0, 1], never decreases.
   void progress(double /*fraction*/) const {}
 
-  /// is asked from time to time: `false` ends the computation with the status "interrupted".
+  /// is asked several times a second: `false` ends the computation with the status `INTERRUPTED`.
   bool go_on() const { return true; }
 };
 

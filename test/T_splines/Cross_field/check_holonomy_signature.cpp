@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -54,6 +55,21 @@ TEST_CASE("signatures that were tampered with are refused by name")
     const auto report = ts::check_holonomy_signature(mesh, signature);
     CHECK(report.status == Status::NON_POSITIVE_CONE);
     CHECK(report.vertex == Mesh::Vertex_index(5));
+  }
+  SECTION("a vertex and a loop of another mesh")
+  {
+    signature.set_quarter_turns(Mesh::Vertex_index(100000), 3);
+    auto report = ts::check_holonomy_signature(mesh, signature);
+    CHECK(report.status == Status::FOREIGN_VERTEX);
+    CHECK(report.index == 1);
+    CHECK(describe(report, mesh).find("another mesh, or the mesh was edited: cone 1, counted from 0") !=
+          std::string::npos);
+    signature.set_quarter_turns(Mesh::Vertex_index(100000), 4);
+    loops[1].halfedges.back() = Mesh::Halfedge_index(100000);
+    report = ts::check_holonomy_signature(mesh, copy_with_loops(signature, loops));
+    CHECK(report.status == Status::FOREIGN_LOOP);
+    CHECK(report.index == 1);
+    CHECK(describe(report, mesh).find("loop 1, counted from 0") != std::string::npos);
   }
   SECTION("no vertex")
   {

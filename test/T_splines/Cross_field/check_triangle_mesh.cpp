@@ -5,10 +5,15 @@
 
 #include "test_meshes.h"
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
 #include <catch2/catch.hpp>
 
-#include <cstring>
 #include <limits>
+#include <string>
 
 namespace ts = CGAL::T_splines;
 using Status = ts::Triangle_mesh_status;
@@ -96,8 +101,70 @@ TEST_CASE("each defect of a mesh is named with its element")
   }
 }
 
-TEST_CASE("every status of a mesh has a sentence")
+TEST_CASE("a refusal says what is wrong, where, and what to do")
 {
-  for (int i = 0; i <= static_cast<int>(Status::ZERO_AREA_FACE); ++i)
-    CHECK(std::strlen(message(static_cast<Status>(i))) > 0);
+  Mesh mesh = test::to_mesh<Mesh>(test::torus(6, 5));
+  CHECK(describe(ts::check_triangle_mesh(mesh), mesh) == "the mesh is valid");
+  SECTION("empty")
+  {
+    mesh.clear();
+    CHECK(describe(ts::check_triangle_mesh(mesh), mesh) == "the mesh has no face: it needs at least four");
+  }
+  SECTION("a hole")
+  {
+    CGAL::Euler::remove_face(halfedge(Mesh::Face_index(0), mesh), mesh);
+    const auto report = ts::check_triangle_mesh(mesh);
+    REQUIRE(report.status == Status::BORDER);
+    CHECK(describe(report, mesh) == "the mesh has a border: edge from vertex " +
+                                        std::to_string(source(report.halfedge, mesh).idx()) + " to vertex " +
+                                        std::to_string(target(report.halfedge, mesh).idx()) +
+                                        ", counted from 0; fill the holes first");
+  }
+  SECTION("numbers count what is left where elements were removed")
+  {
+    CGAL::Euler::remove_center_vertex(halfedge(Mesh::Vertex_index(7), mesh), mesh);
+    CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+    mesh.point(Mesh::Vertex_index(20)) = test::Point_3(0, std::numeric_limits<double>::infinity(), 0);
+    CHECK(describe(ts::check_triangle_mesh(mesh), mesh).find(": vertex 19, counted from 0; correct it") !=
+          std::string::npos);
+  }
+  SECTION("two ends of an edge coincide")
+  {
+    const auto h = halfedge(Mesh::Vertex_index(7), mesh);
+    mesh.point(target(h, mesh)) = mesh.point(source(h, mesh));
+    CHECK(describe(ts::check_triangle_mesh(mesh), mesh).find("counted from 0; collapse it") != std::string::npos);
+  }
+  SECTION("collinear corners")
+  {
+    Mesh cubes = test::to_mesh<Mesh>(test::plate(1));
+    const auto h = halfedge(Mesh::Face_index(17), cubes);
+    cubes.point(target(next(h, cubes), cubes)) =
+        CGAL::midpoint(cubes.point(source(h, cubes)), cubes.point(target(h, cubes)));
+    const auto report = ts::check_triangle_mesh(cubes);
+    REQUIRE(report.status == Status::ZERO_AREA_FACE);
+    CHECK(describe(report, cubes) == "a face has area zero: face " + std::to_string(report.face.idx()) +
+                                         ", counted from 0; remove it by collapsing or flipping an edge of it");
+  }
+}
+
+namespace {
+
+// For the test below: takes all points for collinear.
+struct Collinear_traits : CGAL::Exact_predicates_exact_constructions_kernel {
+  struct Collinear_3 {
+    bool operator()(const Point_3&, const Point_3&, const Point_3&) const { return true; }
+  };
+  Collinear_3 collinear_3_object() const { return {}; }
+};
+
+} // namespace
+
+TEST_CASE("collinearity of exact points is asked from the geometric traits")
+{
+  using Exact_mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>;
+  Exact_mesh mesh;
+  CGAL::copy_face_graph(test::to_mesh<Mesh>(test::torus(6, 5)), mesh);
+  CHECK(ts::check_triangle_mesh(mesh).success());
+  CHECK(ts::check_triangle_mesh(mesh, CGAL::parameters::geom_traits(Collinear_traits())).status ==
+        Status::ZERO_AREA_FACE);
 }

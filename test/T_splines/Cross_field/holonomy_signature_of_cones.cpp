@@ -108,6 +108,20 @@ TEST_CASE("cones that make no signature are refused by name")
       list.pop_back();
     }
   }
+  SECTION("a vertex of another mesh, or one that was removed")
+  {
+    list.emplace_back(Mesh::Vertex_index(100000), 3);
+    auto report = ts::holonomy_signature_of_cones(mesh, list, signature);
+    CHECK(report.status == Status::FOREIGN_VERTEX);
+    CHECK(report.index == 2);
+    Mesh edited = mesh;
+    const Mesh::Vertex_index removed = edited.add_vertex(test::Point_3(0, 0, 0));
+    edited.remove_vertex(removed);
+    list.back().first = removed;
+    report = ts::holonomy_signature_of_cones(edited, list, signature);
+    CHECK(report.status == Status::FOREIGN_VERTEX);
+    CHECK(report.index == 2);
+  }
   SECTION("no vertex")
   {
     list.emplace_back(Mesh::null_vertex(), 3);

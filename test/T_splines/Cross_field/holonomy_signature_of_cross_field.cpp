@@ -8,9 +8,13 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <random>
+#include <set>
+#include <string>
 
 namespace ts = CGAL::T_splines;
 using Status = ts::Holonomy_signature_status;
@@ -147,4 +151,41 @@ TEST_CASE("fields and meshes that have no signature are refused by name")
   const auto report = ts::holonomy_signature_of_cross_field(punctured, test::field_around_axis(punctured), signature);
   CHECK(report.status == Status::INVALID_MESH);
   CHECK(report.mesh.status == ts::Triangle_mesh_status::BORDER);
+}
+
+TEST_CASE("a field on triangles so small that squares of their areas vanish need not close up, which is said")
+{
+  // A thin torus, rough and tiny beside the other component.
+  using Mesh = test::Surface_mesh;
+  const int length = 600, width = 4;
+  std::set<Status> found;
+  for (int step = 0; step < 400 && found.size() < 3; ++step) {
+    const double size = std::pow(10., -80.2 - 0.01 * (step % 20));
+    test::Soup tiny = test::torus(length, width, 360, 4);
+    std::mt19937 random(static_cast<unsigned int>(step));
+    for (test::Point_3& p : tiny.points)
+      p = p + 1.5 * test::Vector_3(random() / 4294967296. - 0.5, random() / 4294967296. - 0.5,
+                                   random() / 4294967296. - 0.5);
+    Mesh mesh = test::to_mesh<Mesh>(test::disjoint_union(test::transformed(tiny, size, {0, 0, 0}), test::plate(0)));
+    auto field = test::field_around_axis(mesh);
+    for (const auto f : faces(mesh))
+      put(field, f, test::Vector_3(1, 2, 0.3));
+    ts::Holonomy_signature<Mesh> signature;
+    const auto report = ts::holonomy_signature_of_cross_field(mesh, field, signature);
+    found.insert(report.status);
+    if (report.status == Status::VERTEX_NOT_INTEGER) {
+      CHECK(report.vertex.idx() < static_cast<std::size_t>(length * width));
+      CHECK(report.deviation > 1e-6);
+      CHECK(describe(report, mesh) == "the field does not close up around a vertex: vertex " +
+                                          std::to_string(report.vertex.idx()) + ", counted from 0");
+    }
+    if (report.status == Status::LOOP_NOT_INTEGER) {
+      CHECK(report.index < 2);
+      CHECK(describe(report, mesh) ==
+            "the field does not close up along a loop: loop " + std::to_string(report.index) + ", counted from 0");
+    }
+  }
+  CHECK(found.count(Status::VALID) == 1);
+  CHECK(found.count(Status::VERTEX_NOT_INTEGER) == 1);
+  CHECK(found.count(Status::LOOP_NOT_INTEGER) == 1);
 }

@@ -20,6 +20,8 @@ using Closed_mesh = in::Closed_mesh<Mesh>;
 
 namespace {
 
+in::Progress nobody;
+
 std::vector<int> all_faces(const Closed_mesh& mesh)
 {
   std::vector<int> result(mesh.m_connectivity.number_of_faces());
@@ -30,7 +32,7 @@ std::vector<int> all_faces(const Closed_mesh& mesh)
 bool generate(const Closed_mesh& mesh, const std::vector<std::vector<int>>& strips)
 {
   return in::generate_homology(mesh.m_connectivity, in::dual_edge_lengths(mesh.m_connectivity, mesh.m_geometry),
-                               all_faces(mesh), strips);
+                               all_faces(mesh), strips, nobody);
 }
 
 double length(const Closed_mesh& mesh, const std::vector<int>& strip)
@@ -51,7 +53,7 @@ TEST_CASE("2g closed strips generate the homology, and none enters a face twice"
     const Closed_mesh closed(mesh, CGAL::parameters::default_values());
     REQUIRE(closed.m_components.size() == 1);
     CHECK(closed.m_components.genus(0) == genus);
-    const std::vector<std::vector<int>> loops = closed.short_loops();
+    const std::vector<std::vector<int>> loops = closed.short_loops(nobody);
     REQUIRE(static_cast<int>(loops.size()) == 2 * genus);
     for (const std::vector<int>& loop : loops) {
       CHECK(in::is_closed_strip(closed.m_connectivity, loop));
@@ -68,7 +70,7 @@ TEST_CASE("loops that are dependent, or generate a part only, are found out")
 {
   const Mesh mesh = test::to_mesh<Mesh>(test::plate(2));
   const Closed_mesh closed(mesh, CGAL::parameters::default_values());
-  const std::vector<std::vector<int>> loops = closed.short_loops();
+  const std::vector<std::vector<int>> loops = closed.short_loops(nobody);
   std::vector<std::vector<int>> repeated = loops;
   repeated[1] = repeated[0];
   CHECK_FALSE(generate(closed, repeated));
@@ -83,7 +85,7 @@ TEST_CASE("loops of a torus are about as short as its circles")
 {
   const Mesh mesh = test::to_mesh<Mesh>(test::torus(60, 20));
   const Closed_mesh closed(mesh, CGAL::parameters::default_values());
-  const std::vector<std::vector<int>> loops = closed.short_loops();
+  const std::vector<std::vector<int>> loops = closed.short_loops(nobody);
   REQUIRE(loops.size() == 2);
   // Dual paths by the midpoints of edges zigzag.
   CHECK(length(closed, loops[0]) < 1.5 * 2 * CGAL_PI * 1);
@@ -98,7 +100,7 @@ TEST_CASE("components are numbered by their first faces and have their own loops
   REQUIRE(closed.m_components.size() == 3);
   CHECK(closed.m_components.euler_characteristic == std::vector<int>{-2, 2, 0});
   std::vector<int> number_of_loops(3, 0);
-  for (const std::vector<int>& loop : closed.short_loops())
+  for (const std::vector<int>& loop : closed.short_loops(nobody))
     ++number_of_loops[closed.m_components.of_face[closed.m_connectivity.face(loop.front())]];
   CHECK(number_of_loops == std::vector<int>{4, 0, 2});
 }
@@ -122,7 +124,7 @@ TEST_CASE("the turning around a vertex is its angle, and reversing a strip rever
     } while (h != outgoing[v]);
     CHECK(in::strip_turning(connectivity, strip, angle) == Approx(total[v]));
   }
-  for (const std::vector<int>& loop : closed.short_loops()) {
+  for (const std::vector<int>& loop : closed.short_loops(nobody)) {
     std::vector<int> reverse;
     for (auto h = loop.rbegin(); h != loop.rend(); ++h)
       reverse.push_back(connectivity.opposite(*h));

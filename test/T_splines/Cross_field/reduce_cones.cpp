@@ -15,12 +15,14 @@
 #include <CGAL/boost/graph/generators.h>
 
 #include <Eigen/Dense>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <optional>
@@ -183,7 +185,8 @@ TEST_CASE("quarter turns moved along paths are those of the field that jumps acr
     a = random() / 4294967296.;
   std::vector<double> rotation = ts::internal::field_rotations(
       connectivity, ts::internal::angles_to_halfedges(connectivity, closed_mesh.m_geometry, angle));
-  const std::vector<std::vector<int>> strips = closed_mesh.short_loops();
+  ts::internal::Progress nobody;
+  const std::vector<std::vector<int>> strips = closed_mesh.short_loops(nobody);
   const auto turns = [&] {
     std::vector<double> result =
         ts::internal::vertex_quarter_turns(connectivity, closed_mesh.m_geometry.m_corner_angle, rotation);
@@ -195,7 +198,7 @@ TEST_CASE("quarter turns moved along paths are those of the field that jumps acr
   std::vector<int> ends;
   for (int i = 0; i < 12; ++i)
     ends.push_back(static_cast<int>((i * 37u) % static_cast<unsigned int>(connectivity.number_of_vertices())));
-  ts::internal::Cone_paths paths(connectivity, closed_mesh.m_geometry.m_edge_length, ends, strips);
+  ts::internal::Cone_paths paths(connectivity, closed_mesh.m_geometry.m_edge_length, ends, strips, nobody);
   ts::internal::Edge_distances distances(connectivity, closed_mesh.m_geometry.m_edge_length);
   int number_of_crossings = 0;
   for (int a = 0; a < 12; ++a) {
@@ -303,8 +306,9 @@ TEST_CASE("the first merge is the cheapest one that can be made")
   std::vector<int> cones;
   for (const auto& cone : before.cones())
     cones.push_back(closed_mesh.m_indexing.vertex_index(cone.first));
+  ts::internal::Progress nobody;
   ts::internal::Cone_paths paths(closed_mesh.m_connectivity, closed_mesh.m_geometry.m_edge_length, cones,
-                                 ts::internal::strips_of(closed_mesh.m_indexing, before));
+                                 ts::internal::strips_of(closed_mesh.m_indexing, before), nobody);
   for (int a = 0; a < 6; ++a) {
     for (int b = 0; b < 6; ++b) {
       const int k_a = before.cones()[a].second, k_b = before.cones()[b].second, q = k_a - 4;
@@ -638,6 +642,33 @@ TEST_CASE("bad input and interruptions leave the signature as it was")
   CHECK(report.status == Status::INVALID_MESH);
   CHECK(report.signature.mesh.vertex == Mesh::Vertex_index(3));
   CHECK(are_equal(mesh, signature, before));
-  for (int i = 0; i <= static_cast<int>(Status::INTERRUPTED); ++i)
-    CHECK(std::strlen(message(static_cast<Status>(i))) > 0);
+  CHECK(describe(report, mesh) ==
+        "a vertex has a coordinate that is infinite or not a number: vertex 3, counted from 0; correct it");
+}
+
+TEST_CASE("a signature of another mesh, or of the mesh before an edit, is refused")
+{
+  Mesh mesh = test::to_mesh<Mesh>(test::plate(2, 2)), small = test::to_mesh<Mesh>(test::torus(4, 4));
+  Signature signature = random_signature(mesh, 5, 0);
+  const Signature before = signature;
+  SECTION("another mesh")
+  {
+    const auto report = ts::reduce_cones(small, signature);
+    CHECK(report.status == Status::INVALID_SIGNATURE);
+    CHECK(report.signature.status == ts::Holonomy_signature_status::FOREIGN_VERTEX);
+    CHECK(describe(report, small).find("cone ") != std::string::npos);
+    CHECK(are_equal(mesh, signature, before));
+  }
+  SECTION("before an edit")
+  {
+    // The mesh loses a vertex that is a cone.
+    const auto h = halfedge(before.cones().front().first, mesh);
+    CGAL::Euler::remove_center_vertex(h, mesh);
+    CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+    REQUIRE(ts::check_triangle_mesh(mesh).success());
+    const auto report = ts::reduce_cones(mesh, signature);
+    CHECK(report.status == Status::INVALID_SIGNATURE);
+    CHECK(report.signature.status == ts::Holonomy_signature_status::FOREIGN_VERTEX);
+    CHECK(report.signature.index == 0);
+  }
 }

@@ -293,6 +293,49 @@ TEST_CASE("a far offset and a tiny scale are read to the last bit")
   }
 }
 
+TEST_CASE("a mesh that is not empty receives no triangles")
+{
+  const Temporary_directory directory;
+  const std::string name = directory.file("tetrahedron.obj");
+  std::ofstream(name) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  Surface_mesh mesh;
+  REQUIRE(T::read_triangle_mesh(name, mesh));
+  const T::Mesh_reading_report report = T::read_triangle_mesh(name, mesh);
+  CHECK(report.status == Status::OUTPUT_NOT_EMPTY);
+  CHECK(describe(report) == message(report.status));
+  CHECK(mesh.number_of_faces() == 4);
+}
+
+TEST_CASE("a polygon is triangulated up to a thousand corners")
+{
+  // A prism whose bottom and top are regular polygons.
+  const Temporary_directory directory;
+  const std::string name = directory.file("prism.off");
+  for (const int n : {1000, 1001}) {
+    std::ofstream file(name);
+    file << "OFF\n" << 2 * n << " " << n + 2 << " 0\n";
+    for (const int z : {0, 1})
+      for (int i = 0; i < n; ++i)
+        file << std::cos(2 * CGAL_PI * i / n) << " " << std::sin(2 * CGAL_PI * i / n) << " " << z << "\n";
+    for (int i = 0; i < n; ++i)
+      file << "4 " << i << " " << (i + 1) % n << " " << n + (i + 1) % n << " " << n + i << "\n";
+    file << n;
+    for (int i = n; i > 0; --i)
+      file << " " << i - 1;
+    file << "\n" << n;
+    for (int i = 0; i < n; ++i)
+      file << " " << n + i;
+    file << "\n";
+    file.close();
+    Surface_mesh mesh;
+    const T::Mesh_reading_report report = T::read_triangle_mesh(name, mesh);
+    CAPTURE(n, describe(report));
+    CHECK(report.status == (n == 1000 ? Status::SUCCESS : Status::TOO_MANY_CORNERS));
+    CHECK(report.face == (n == 1000 ? T::Mesh_reading_report::none : std::size_t(n)));
+    CHECK(mesh.number_of_faces() == (n == 1000 ? 3996u : 0u));
+  }
+}
+
 TEST_CASE("collinearity is decided exactly")
 {
   // 0.1, 0.2, 0.3 are not collinear as doubles on the diagonal with x = 1, 2, 3; the same times ten is.
@@ -301,7 +344,8 @@ TEST_CASE("collinearity is decided exactly")
   soup.corners = {0, 1, 2};
   soup.end_polygon();
   const auto status = [&soup] {
-    return T::internal::check_triangle_geometry(soup, T::internal::triangulate_polygon_soup(soup)).status;
+    T::internal::Progress nobody;
+    return T::internal::check_triangle_geometry(soup, T::internal::triangulate_polygon_soup(soup), nobody).status;
   };
   CHECK(status() == Status::SUCCESS);
   soup.points = {{1, 1, 0}, {2, 2, 0}, {3, 3, 0}};

@@ -119,7 +119,7 @@ TEST_CASE("a file that cannot be written leaves nothing behind and leaves what w
 
   write_file(directory.file("old.obj"), "old");
   {
-    T::internal::Atomic_file file(directory.file("old.obj"));
+    T::Atomic_file file(directory.file("old.obj"));
     file.write("new");
     CHECK(file.finish());
     CHECK(has_leftovers(directory.path()));
@@ -129,6 +129,18 @@ TEST_CASE("a file that cannot be written leaves nothing behind and leaves what w
   std::string content;
   std::ifstream(directory.file("old.obj")) >> content;
   CHECK(content == "old");
+}
+
+TEST_CASE("a mesh that is not empty receives no map")
+{
+  const Temporary_directory directory;
+  const std::string name = directory.file("map.obj");
+  write_file(name, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+  Surface_mesh mesh;
+  const auto uv = mesh.add_property_map<Surface_mesh::Halfedge_index, Point_2>("h:uv").first;
+  REQUIRE(T::read_map_obj(name, mesh, uv));
+  CHECK(T::read_map_obj(name, mesh, uv).status == Status::OUTPUT_NOT_EMPTY);
+  CHECK(mesh.number_of_faces() == 1);
 }
 
 TEST_CASE("a map without uv at a corner, or with bad uv, is refused")

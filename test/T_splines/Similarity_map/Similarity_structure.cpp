@@ -87,7 +87,8 @@ TEST_CASE("flips end in the Delaunay triangulation", "[Similarity_structure]")
     if (torus.is_flippable(h))
       flip(h);
   }
-  CHECK(flip_to_delaunay(structure, 100000, flip) > 0);
+  CGAL::T_splines::internal::Progress progress;
+  CHECK(flip_all_to_delaunay(structure, 100000, flip, progress) > 0);
   for (int e = 0; e < torus.mesh.number_of_edges(); ++e) {
     double angles = 0;
     for (const int h : {2 * e, 2 * e + 1}) {

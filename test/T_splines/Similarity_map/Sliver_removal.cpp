@@ -19,6 +19,8 @@ using Point = std::array<double, 3>;
 using Uv = std::array<double, 2>;
 using Triangles = std::vector<std::array<int, 3>>;
 
+Progress nobody;
+
 const Triangles tetrahedron = {{{0, 1, 2}}, {{0, 3, 1}}, {{1, 3, 2}}, {{2, 3, 0}}};
 
 Triangulation_connectivity connectivity(const Triangles& triangles, const int number_of_vertices)
@@ -116,7 +118,7 @@ struct Refined_tetrahedron {
 TEST_CASE("what is positive is left alone", "[Sliver_removal]")
 {
   Refined_tetrahedron t({{{0.2, 0.2, 0}}}, {{{0, 1, 4}}, {{1, 2, 4}}, {{2, 0, 4}}});
-  CHECK(Sliver_removal(t.input, t.input_point, t.refined, t.is_cut).first_bad_input_face() == -1);
+  CHECK(Sliver_removal(t.input, t.input_point, t.refined, t.is_cut, nobody).first_bad_input_face() == -1);
   CHECK(t.refined.mesh.number_of_faces() == 6);
   t.check_closed();
 }
@@ -125,7 +127,7 @@ TEST_CASE("a vertex on the wrong side of an edge is taken out", "[Sliver_removal
 {
   Refined_tetrahedron t({{{0.2, -1e-17, 0}}}, {{{0, 1, 4}}, {{1, 2, 4}}, {{2, 0, 4}}});
   REQUIRE_FALSE(t.is_positive(0));
-  CHECK(Sliver_removal(t.input, t.input_point, t.refined, t.is_cut).first_bad_input_face() == -1);
+  CHECK(Sliver_removal(t.input, t.input_point, t.refined, t.is_cut, nobody).first_bad_input_face() == -1);
   CHECK(t.refined.mesh.number_of_faces() == 4);
   t.check_closed();
   for (int f = 0; f < t.refined.mesh.number_of_faces(); ++f)
@@ -138,7 +140,7 @@ TEST_CASE("a diagonal outside of its quadrilateral is flipped", "[Sliver_removal
   Refined_tetrahedron t({{{0.4, 0.2, 0}}, {{0.2, 0.5, 0}}},
                         {{{0, 1, 5}}, {{1, 4, 5}}, {{1, 2, 4}}, {{2, 5, 4}}, {{2, 0, 5}}});
   REQUIRE_FALSE(t.is_positive(1));
-  CHECK(Sliver_removal(t.input, t.input_point, t.refined, t.is_cut).first_bad_input_face() == -1);
+  CHECK(Sliver_removal(t.input, t.input_point, t.refined, t.is_cut, nobody).first_bad_input_face() == -1);
   t.check_closed();
   for (int f = 0; f < t.refined.mesh.number_of_faces(); ++f)
     CHECK(t.is_positive(f));
@@ -149,5 +151,5 @@ TEST_CASE("what cannot be repaired is named", "[Sliver_removal]")
   Refined_tetrahedron t({}, {{{0, 1, 2}}});
   const int h = t.refined.mesh.halfedge_of_face(2);
   std::swap(t.refined.uv[h], t.refined.uv[t.refined.mesh.next(h)]);
-  CHECK(Sliver_removal(t.input, t.input_point, t.refined, t.is_cut).first_bad_input_face() == 2);
+  CHECK(Sliver_removal(t.input, t.input_point, t.refined, t.is_cut, nobody).first_bad_input_face() == 2);
 }

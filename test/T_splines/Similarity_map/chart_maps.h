@@ -152,6 +152,36 @@ inline Chart_map trousers(const int m)
   return map;
 }
 
+/// Two half rings, each closed by a similarity with its own factor and between the halves of the first axis through
+/// its center, glued along one edge: borders with the factors a, b, and one with their quotient.
+inline Chart_map two_half_rings(const double a, const double b)
+{
+  const double pi = 4 * std::atan(1.);
+  const int m = 6, n = 9;
+  const auto half_ring = [=](const double scale, const double from, const double u, const double v) {
+    return grid(
+        m, n, true, [](int, int) { return false; },
+        [=](const int i, const int j) {
+          const double r = std::pow(scale, double(i) / m), angle = from + pi * j / n;
+          return std::array<double, 2>{{u + r * std::cos(angle), v + r * std::sin(angle)}};
+        });
+  };
+  Chart_map map = half_ring(a, 0, 0.3, 0.7);
+  const Chart_map other = half_ring(b, pi, -0.1, 0.37);
+  const std::size_t square = 2 * ((n - 1) * m + 2); // the third of the last row, and of the first row of the other
+  std::map<int, int> number = {{other.triangles[4][0], map.triangles[square + 1][2]},
+                               {other.triangles[4][1], map.triangles[square][2]}};
+  for (int v = 0; v < static_cast<int>(other.points.size()); ++v)
+    if (number.emplace(v, static_cast<int>(map.points.size())).second)
+      map.points.push_back({{other.points[v][0], other.points[v][1], other.points[v][2] + n}});
+  for (const auto& t : other.triangles)
+    map.triangles.push_back({{number[t[0]], number[t[1]], number[t[2]]}});
+  map.uv.insert(map.uv.end(), other.uv.begin(), other.uv.end());
+  map.chart.resize(map.triangles.size(), 1);
+  map.number_of_charts = 2;
+  return map;
+}
+
 /// The plane without the origin modulo z -> s z: m vertices around the origin, n rings. Its only seam is a circle.
 inline Chart_map hopf_torus(const double s, const int m, const int n)
 {

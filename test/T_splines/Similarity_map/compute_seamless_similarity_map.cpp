@@ -10,10 +10,13 @@
 #include <CGAL/T_splines/Cross_field/reduce_cones.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
 #include <CGAL/T_splines/Similarity_map/compute_seamless_similarity_map.h>
+#include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/Random.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
 #include <CGAL/number_type_config.h>
@@ -26,6 +29,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -362,6 +366,16 @@ Plain_mesh cube_with_cap(const double height)
   return mesh;
 }
 
+// A solver that refuses every system.
+struct Failing_solver {
+  using FT = double;
+  using Matrix = T::Symmetric_sparse_matrix<double>;
+
+  bool analyze_pattern(const Matrix&) { return true; }
+  bool factorize(const Matrix&) { return false; }
+  bool solve(const std::vector<double>&, std::vector<double>&) const { return false; }
+};
+
 // The signature of the smoothest field.
 T::Holonomy_signature<Surface_mesh> signature_of_smooth_field(Surface_mesh mesh)
 {
@@ -435,12 +449,36 @@ TEST_CASE("nothing is written unless the map exists", "[compute_seamless_similar
     CHECK(map.report.status == Status::ITERATION_LIMIT);
     CHECK(map.report.iterations == 1);
   }
+  SECTION("a solver that fails")
+  {
+    map.compute(mesh, signature, CGAL::parameters::sparse_linear_solver(Failing_solver()));
+    CHECK(map.report.status == Status::SOLVER_FAILED);
+  }
   SECTION("edges of long triangles that cross too many others")
   {
     mesh = surface_mesh(fan_cylinder(800, 2));
     signature = signature_of_smooth_field(mesh);
     map.compute(mesh, signature, np);
     CHECK(map.report.status == Status::SUBDIVISION_TOO_LARGE);
+  }
+  SECTION("a signature of another mesh")
+  {
+    const Surface_mesh other = surface_mesh(test_meshes::torus(3, 3));
+    map.compute(other,
+                signature_of(mesh, {{3, 3}, {20, 5}, {21, 3}, {22, 3}, {0, 3}, {1, 3}, {2, 3}, {4, 3}, {5, 3}, {6, 3}}),
+                np);
+    CHECK(map.report.status == Status::INVALID_SIGNATURE);
+    CHECK(map.report.signature.status == T::Holonomy_signature_status::FOREIGN_VERTEX);
+    CHECK(describe(map.report, other).find(": cone 1, counted from 0") != std::string::npos);
+  }
+  SECTION("a signature of the mesh before an edit")
+  {
+    const auto removed = signature.cones().front().first;
+    CGAL::Euler::remove_center_vertex(halfedge(removed, mesh), mesh);
+    CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+    map.compute(mesh, signature, np);
+    CHECK(map.report.status == Status::INVALID_SIGNATURE);
+    CHECK(map.report.signature.status == T::Holonomy_signature_status::FOREIGN_VERTEX);
   }
   SECTION("a tolerance that no number type reaches")
   {
@@ -452,6 +490,83 @@ TEST_CASE("nothing is written unless the map exists", "[compute_seamless_similar
   CHECK(CGAL::is_empty(map.refined));
   CHECK(map.uv.empty());
   CHECK(map.location.empty());
+}
+
+TEST_CASE("a failure names the flattest triangle, if that may be the cause", "[compute_seamless_similarity_map]")
+{
+  const auto failure = [](const double height) {
+    const Surface_mesh mesh = surface_mesh(cube_with_cap(height));
+    Map<Surface_mesh, Surface_mesh> map;
+    map.compute(mesh, signature_of_smooth_field(mesh), CGAL::parameters::number_of_iterations(1));
+    REQUIRE(map.report.status == Status::ITERATION_LIMIT);
+    return describe(map.report, mesh);
+  };
+  CHECK(failure(1e-8).find("; triangle 13 is nearly flat, its height is 1e-09 of its longest side: remove it") !=
+        std::string::npos);
+  CHECK(failure(1).find("nearly flat") == std::string::npos);
+}
+
+TEST_CASE("an output that is not empty is refused and left as it was, be it the input",
+          "[compute_seamless_similarity_map]")
+{
+  Surface_mesh mesh = surface_mesh(test_meshes::sphere(1));
+  const T::Holonomy_signature<Surface_mesh> signature = signature_of(mesh, eight_cones);
+  const auto number_of_faces = mesh.number_of_faces();
+  std::map<Surface_mesh::Halfedge_index, Kernel::Point_2> uv;
+  const auto uv_map = boost::make_assoc_property_map(uv);
+  const auto report = T::compute_seamless_similarity_map(mesh, signature, mesh, uv_map);
+  CHECK(report.status == Status::OUTPUT_NOT_EMPTY);
+  CHECK(describe(report, mesh) == message(report.status));
+  CHECK(mesh.number_of_faces() == number_of_faces);
+  Surface_mesh refined;
+  refined.remove_vertex(refined.add_vertex(Kernel::Point_3(0, 0, 0))); // new vertices would not be in order
+  CHECK(T::compute_seamless_similarity_map(mesh, signature, refined, uv_map).status == Status::OUTPUT_NOT_EMPTY);
+  CHECK(uv.empty());
+  refined.collect_garbage();
+  CHECK(T::compute_seamless_similarity_map(mesh, signature, refined, uv_map).success());
+}
+
+TEST_CASE("signatures beyond what a coarse mesh carries are told from those whose map does not fit into doubles",
+          "[compute_seamless_similarity_map]")
+{
+  const Surface_mesh mesh = surface_mesh(test_meshes::torus(3, 3));
+  CGAL::Random random(3);
+  std::set<Status> found;
+  for (int i = 0; i < 60 && found.size() < 3; ++i) {
+    std::vector<int> k(9, 4);
+    for (int move = 0; move < 4; ++move) {
+      const int a = random.get_int(0, 9), b = random.get_int(0, 9);
+      if (a != b && k[a] > 1) {
+        --k[a];
+        ++k[b];
+      }
+    }
+    Numbered_cones cones;
+    for (int v = 0; v < 9; ++v)
+      if (k[v] != 4)
+        cones.emplace_back(v, k[v]);
+    const std::vector<int> turns = {random.get_int(-20, 21), random.get_int(-20, 21)};
+    Map<Surface_mesh, Surface_mesh> map;
+    map.compute(mesh, signature_of(mesh, cones, &turns), CGAL::parameters::default_values());
+    const auto& report = map.report;
+    const std::string text = describe(report, mesh);
+    if (report.status == Status::SIGNATURE_OUT_OF_REACH) {
+      CHECK(std::abs(report.scale_period) > 0.9 * report.hyperbolic_length);
+      CHECK(std::abs(report.scale_period) < report.hyperbolic_length * (1 + 1e-9));
+      CHECK(text.find("refine the mesh (residual ") != std::string::npos);
+      CHECK(text.find("the short loop closest to its limit has a scale factor of exp(") != std::string::npos);
+    }
+    else if (report.status == Status::LAYOUT_FAILED) {
+      CHECK(report.residual <= 1e-12);
+      REQUIRE(report.face != Surface_mesh::null_face());
+      CHECK(text.find(", face " + std::to_string(report.face.idx()) + ", counted from 0)") != std::string::npos);
+    }
+    else if (!report.success())
+      continue;
+    CHECK(CGAL::is_empty(map.refined) != report.success());
+    found.insert(report.status);
+  }
+  CHECK(found == std::set<Status>{Status::CONVERGED, Status::SIGNATURE_OUT_OF_REACH, Status::LAYOUT_FAILED});
 }
 
 TEST_CASE("the checker finds what is wrong with a map", "[Map_checker]")

@@ -113,7 +113,7 @@ void check_refused(const Made<Mesh, FT>& made, const Status status)
 {
   INFO(T::message(made.report.status));
   CHECK(made.report.status == status);
-  CHECK(std::string(T::message(status)) != "");
+  CHECK(describe(made.report, made.mesh).find(T::message(status)) == 0);
   CHECK(made.map.layout().mesh().number_of_faces() == 0);
 }
 
@@ -461,6 +461,49 @@ TEST_CASE("isolines that miss a cone by little are made to run into it, unless t
     CHECK(made.report.number_of_lines_left_apart > 0);
     CHECK(made.report.largest_gap == 0);
   }
+}
+
+TEST_CASE("a border whose factor is nearly 1 keeps its line", "[make_exactly_seamless]")
+{
+  // With few bits, the factors of the half rings are equal, and the third border would be closed by a translation.
+  for (const double a : {1.5, 1.7, 2.}) {
+    for (const double difference : {0., 1e-7, 1e-5, 1e-3, 0.1}) {
+      CAPTURE(a, difference);
+      const Made<Surface_mesh> made(chart_maps::two_half_rings(a, a * (1 + difference)));
+      check_exact(made, 0.25);
+      CHECK(made.report.number_of_cones == 2);
+    }
+  }
+}
+
+TEST_CASE("two borders that only a triangle without area could keep straight are refused", "[make_exactly_seamless]")
+{
+  // A strip closed by a similarity that keeps no more than one of the lines on which its borders nearly lie.
+  const double factor = 1 + 3e-7;
+  const Made<Surface_mesh> made(chart_maps::grid(7, 3, true, no_hole, [factor](const int i, const int j) {
+    const double scale = std::pow(factor, i / 7.);
+    return std::array<double, 2>{{i * scale, (j - 1) * scale}};
+  }));
+  check_refused(made, Status::ORIENTATION_LOST);
+  REQUIRE(made.report.faces.size() >= 14);
+  CHECK(made.report.faces.front() == Surface_mesh::Face_index(0));
+  const std::string text = describe(made.report, made.mesh);
+  CHECK(text.find("without flipping a triangle: " + std::to_string(made.report.faces.size()) + " faces, 0 1 2") !=
+        std::string::npos);
+}
+
+TEST_CASE("a map made on another mesh, or before its mesh was changed, is refused and not written",
+          "[make_exactly_seamless]")
+{
+  const Chart_map map = cube_map(2);
+  Made<Surface_mesh> made(map), other(map);
+  REQUIRE(made.report.success());
+  const auto uv = boost::make_assoc_property_map(made.uv);
+  CHECK(T::make_exactly_seamless(made.mesh, uv, other.map).status == Status::MAP_OF_OTHER_MESH);
+  made.mesh.add_vertex(Kernel::Point_3(9, 9, 9));
+  const auto report = T::make_exactly_seamless(made.mesh, uv, made.map);
+  CHECK(report.status == Status::MAP_OF_OTHER_MESH);
+  CHECK(describe(report, made.mesh) == message(report.status));
 }
 
 TEST_CASE("oblique borders are refused", "[make_exactly_seamless]")

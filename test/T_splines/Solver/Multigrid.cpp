@@ -4,6 +4,7 @@
 #include <CGAL/T_splines/Solver/internal/Hermitian_rows.h>
 #include <CGAL/T_splines/Solver/internal/Multigrid.h>
 #include <CGAL/T_splines/Solver/internal/multigrid_iterations.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -62,11 +63,13 @@ template <typename Scalar>
 int iterations_to_solve(Hermitian_rows<Scalar> matrix, const double tolerance)
 {
   const std::size_t n = matrix.size();
-  Multigrid<Scalar> multigrid(std::move(matrix));
+  CGAL::T_splines::internal::Progress progress;
+  Multigrid<Scalar> multigrid(std::move(matrix), progress);
   const std::vector<Scalar> solution = random_vector<Scalar>(n);
   std::vector<Scalar> x(n), b, image;
   multigrid.matrix(0).multiply(solution, b);
-  const int iterations = solve_with_multigrid(multigrid, 1., std::vector<double>(n, 0.), b, x, tolerance, 200);
+  const int iterations =
+      solve_with_multigrid(multigrid, 1., std::vector<double>(n, 0.), b, x, tolerance, 200, progress);
   add(x, -1., solution);
   multigrid.matrix(0).multiply(x, image);
   CHECK(std::sqrt(dot(x, image)) <= 10 * tolerance * std::sqrt(dot(solution, b)));
@@ -77,7 +80,8 @@ int iterations_to_solve(Hermitian_rows<Scalar> matrix, const double tolerance)
 
 TEMPLATE_TEST_CASE("a cycle is symmetric and positive definite", "[Multigrid]", double, Complex)
 {
-  Multigrid<TestType> multigrid(periodic_grid<TestType>(24, 3., 1e-3, 1));
+  CGAL::T_splines::internal::Progress progress;
+  Multigrid<TestType> multigrid(periodic_grid<TestType>(24, 3., 1e-3, 1), progress);
   CHECK(multigrid.number_of_levels() > 1);
   std::vector<TestType> a = random_vector<TestType>(24 * 24), b = a, cycle_a, cycle_b;
   for (std::size_t i = 0; i < b.size(); ++i)
@@ -128,9 +132,10 @@ TEST_CASE("the smallest eigenvalue of a grid is its shift, and that of a flux is
   for (const int n : {3, 9, 40, 150}) {
     const double shift = 0.1 / (n * n);
     const std::vector<double> mass(n * n, 1.);
-    Multigrid<double> real(periodic_grid<double>(n, 2., shift, 0));
+    CGAL::T_splines::internal::Progress progress;
+    Multigrid<double> real(periodic_grid<double>(n, 2., shift, 0), progress);
     std::vector<double> x;
-    CHECK(smallest_eigenvector(real, mass, 0, x) == Approx(shift).epsilon(1e-4));
+    CHECK(smallest_eigenvector(real, mass, 0, x, progress) == Approx(shift).epsilon(1e-4));
     CHECK(dot(x, x) == Approx(1));
     for (const double entry : x)
       CHECK(entry * x.front() * n * n == Approx(1).epsilon(0.05));
@@ -139,8 +144,9 @@ TEST_CASE("the smallest eigenvalue of a grid is its shift, and that of a flux is
   const int n = 150;
   const std::vector<double> mass(n * n, 1. / (n * n));
   for (const int flux : {1, 3}) {
-    Multigrid<Complex> multigrid(periodic_grid<Complex>(n, 1., 0., flux));
+    CGAL::T_splines::internal::Progress progress;
+    Multigrid<Complex> multigrid(periodic_grid<Complex>(n, 1., 0., flux), progress);
     std::vector<Complex> x;
-    CHECK(smallest_eigenvector(multigrid, mass, 0, x) == Approx(2 * CGAL_PI * flux).epsilon(2e-3));
+    CHECK(smallest_eigenvector(multigrid, mass, 0, x, progress) == Approx(2 * CGAL_PI * flux).epsilon(2e-3));
   }
 }

@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <limits>
-#include <set>
 #include <string>
 
 namespace {
@@ -26,16 +25,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 } // namespace
-
-TEST_CASE("each status has a message of its own", "[T_spline_report]")
-{
-  std::set<std::string> messages;
-  for (const auto status : {T_spline_status::VALID, T_spline_status::NOT_SPLINE_COMPATIBLE,
-                            T_spline_status::CONTROL_POINT_NOT_FINITE, T_spline_status::WEIGHT_NOT_POSITIVE})
-    messages.insert(message(status));
-  CHECK(messages.size() == 4);
-  CHECK(messages.count("") == 0);
-}
 
 TEST_CASE("a T-mesh that is not spline compatible is refused", "[T_spline_report]")
 {

@@ -8,6 +8,7 @@
 
 #include "Spline/Torus.h"
 
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -99,10 +100,12 @@ TEMPLATE_TEST_CASE("what the mesh does, too, is not new", "[check_T_spline_self_
   const Point_3 p(100, 0, 0); // a face without area
   CGAL::make_triangle(p, p, p, mesh);
   std::vector<Face> faces;
-  const auto with = [&](const double tolerance) {
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  const double longest_side = std::max({box.x_span(), box.y_span(), box.z_span()});
+  const auto with = [&](const double distance) {
     faces.clear();
     return T::check_T_spline_self_intersections(t.surface(), mesh, std::back_inserter(faces),
-                                                T::parameters::tolerance(tolerance));
+                                                T::parameters::tolerance(distance / longest_side));
   };
   const auto report = with(0.2);
   CHECK(report);

@@ -319,6 +319,19 @@ TEST_CASE("Bad input of a fit is refused, and leaves control points and samples 
     CHECK(report.status == Status::INVALID_SURFACE);
     CHECK(report.surface.status == T::T_spline_status::WEIGHT_NOT_POSITIVE);
   }
+  SECTION("faces of another T-mesh, none, and one that was removed")
+  {
+    const auto given = samples;
+    for (const auto face : {Surface_mesh::Face_index(100000), Surface_mesh::null_face()}) {
+      samples = given;
+      samples[7].place.face = face;
+      const auto report = fit(CGAL::parameters::default_values());
+      CHECK(report.status == Status::INVALID_SAMPLE);
+      CHECK(report.sample == 7);
+      CHECK(describe(report, t.mesh).find("has a face that the T-mesh does not have: sample 7") != std::string::npos);
+    }
+    samples = given;
+  }
   SECTION("a T-mesh that is not spline compatible")
   {
     Mesh cube(test_t_meshes::cube<Rational>());
@@ -344,10 +357,4 @@ TEST_CASE("Too few samples do with some fairness")
   REQUIRE(T::fit_T_spline(t, samples, fitted.points));
   for (const auto v : t.mesh.vertices()) // constants have no energy
     CHECK(std::sqrt(CGAL::squared_distance(fitted.points[v], Point_3(1, 2, 3))) < 1e-7);
-}
-
-TEST_CASE("Every status of a fit has a message")
-{
-  for (int i = 0; i <= static_cast<int>(Status::INTERRUPTED); ++i)
-    CHECK_FALSE(std::string(message(static_cast<Status>(i))).empty());
 }

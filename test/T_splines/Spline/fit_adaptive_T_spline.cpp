@@ -12,6 +12,8 @@
 
 #include "Spline/Carried_box.h"
 
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/iterator.h>
@@ -40,14 +42,22 @@ using Status = T::Adaptive_fit_status;
 
 using Result = T::T_spline<Kernel>;
 
-template <typename NamedParameters>
-T::Adaptive_fit_report<Mesh> fit(const Carried_box& box, const double tolerance, Result& result,
-                                 const NamedParameters& np)
+double longest_side(const Mesh& mesh)
 {
-  return T::fit_adaptive_T_spline(box.t_mesh, box.surface, tolerance, result, np);
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  return std::max({box.x_span(), box.y_span(), box.z_span()});
 }
 
-T::Adaptive_fit_report<Mesh> fit(const Carried_box& box, const double tolerance, Result& result)
+using Fit_report = T::Adaptive_fit_report<Mesh, Result::Graph, Mesh>;
+
+// \param tolerance a length
+template <typename NamedParameters>
+Fit_report fit(const Carried_box& box, const double tolerance, Result& result, const NamedParameters& np)
+{
+  return T::fit_adaptive_T_spline(box.t_mesh, box.surface, box.mesh, tolerance / longest_side(box.mesh), result, np);
+}
+
+Fit_report fit(const Carried_box& box, const double tolerance, Result& result)
 {
   return fit(box, tolerance, result, CGAL::parameters::default_values());
 }
@@ -77,21 +87,22 @@ double distance_of_random_points(const Surface& surface, const Mesh& mesh)
   return result;
 }
 
-// Keeps what it is told, and asks to stop after some levels.
-struct Level_recorder : T::Adaptive_fit_visitor {
+// Keeps the numbers of control points of the levels.
+struct Level_recorder {
   std::vector<std::size_t>* numbers;
-  std::size_t last = 1000;
 
   template <typename TMesh>
-  void level_fitted(const T::T_spline_fit_level& level, const TMesh& t_mesh) const
+  void operator()(const T::T_spline_fit_level& level, const TMesh& t_mesh) const
   {
     CHECK(level.number_of_control_points == num_vertices(t_mesh.graph()));
     CHECK(level.number_of_faces == num_faces(t_mesh.graph()));
     CHECK(T::T_spline_surface(t_mesh, t_mesh.graph().points()).is_valid());
     numbers->push_back(level.number_of_control_points);
   }
+};
 
-  bool go_on() const { return numbers->size() < last; }
+struct Stopping_visitor : T::Progress_visitor {
+  bool go_on() const { return false; }
 };
 
 } // namespace
@@ -132,14 +143,12 @@ TEST_CASE("A thin plate of few triangles is met between its vertices, and does n
   CHECK(T::check_T_spline_self_intersections(result.surface(), box.mesh, CGAL::Emptyset_iterator()).success());
 }
 
-TEST_CASE("The visitor sees all levels, and the best of them is the surface")
+TEST_CASE("All levels are observed, and the best of them is the surface")
 {
   const Carried_box box(16, bumpy);
   std::vector<std::size_t> numbers;
-  Level_recorder recorder;
-  recorder.numbers = &numbers;
   Result result;
-  const auto report = fit(box, 0.01, result, CGAL::parameters::visitor(recorder));
+  const auto report = fit(box, 0.01, result, P::level_observer(Level_recorder{&numbers}));
   REQUIRE(report.success());
   REQUIRE(report.levels.size() >= 2);
   REQUIRE(numbers.size() == report.levels.size());
@@ -233,6 +242,16 @@ TEST_CASE("Bad input of an adaptive fit is refused, and nothing is written")
     box.surface = T::Carried_surface<Mesh>();
     CHECK(refused(0.1, defaults).status == Status::NO_SURFACE);
   }
+  SECTION("a mesh that cannot be measured")
+  {
+    const Mesh::Vertex_index v(3);
+    box.mesh.point(v) = Point_3(0, 0, std::numeric_limits<double>::quiet_NaN());
+    Result result;
+    const auto report = T::fit_adaptive_T_spline(box.t_mesh, box.surface, box.mesh, 0.1, result);
+    CHECK(report.status == Status::NOT_MEASURABLE);
+    CHECK(report.deviation.vertex == v);
+    CHECK(result.number_of_control_points() == 0);
+  }
   SECTION("fewer control points than the rings need")
   {
     const auto report = refused(0.1, P::maximum_number_of_control_points(std::size_t(20)));
@@ -241,7 +260,9 @@ TEST_CASE("Bad input of an adaptive fit is refused, and nothing is written")
   }
   SECTION("fairness")
   {
-    CHECK(refused(0.1, P::fairness(-1.)).fit.status == T::T_spline_fit_status::INVALID_FAIRNESS);
+    const auto report = refused(0.1, P::fairness(-1.));
+    CHECK(report.status == Status::FIT_FAILED);
+    CHECK(report.fit.status == T::T_spline_fit_status::INVALID_FAIRNESS);
   }
   SECTION("knots")
   {
@@ -252,16 +273,6 @@ TEST_CASE("Bad input of an adaptive fit is refused, and nothing is written")
   }
   SECTION("interruption")
   {
-    std::vector<std::size_t> numbers;
-    Level_recorder recorder;
-    recorder.numbers = &numbers;
-    recorder.last = 0;
-    CHECK(refused(1e-5, CGAL::parameters::visitor(recorder)).status == Status::INTERRUPTED);
+    CHECK(refused(1e-5, CGAL::parameters::visitor(Stopping_visitor())).status == Status::INTERRUPTED);
   }
-}
-
-TEST_CASE("Every status of an adaptive fit has a message")
-{
-  for (int i = 0; i <= static_cast<int>(Status::INTERRUPTED); ++i)
-    CHECK_FALSE(std::string(message(static_cast<Status>(i))).empty());
 }

@@ -77,7 +77,7 @@ public:
     const std::string before = text(m_t);
     const std::size_t vertices_before = num_vertices(m_t.mesh);
     const auto report = insert_knot_line(m_t, m_t.controls(), f, axis, typename Mesh::FT(size * eighths / 8),
-                                         CGAL::parameters::visitor(m_points.visitor()));
+                                         CGAL::T_splines::parameters::observer(m_points.observer()));
     ++m_count[report.status];
     const std::size_t vertices_after = std::distance(vertices(m_t.mesh).begin(), vertices(m_t.mesh).end());
     CHECK(vertices_after == vertices_before + report.inserted_vertices);

@@ -4,6 +4,7 @@
 #include <CGAL/T_splines/Spline/measure_T_spline_deviation.h>
 
 #include <CGAL/T_splines/Spline/Mesh_distance.h>
+#include <CGAL/T_splines/Spline/T_spline.h>
 #include <CGAL/T_splines/Spline/T_spline_closest_point.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
@@ -352,7 +353,7 @@ TEST_CASE("a bulge between the vertices is found where it is", "[measure_T_splin
   const auto report = measure_T_spline_deviation(
       surface, mesh,
       CGAL::T_splines::parameters::tolerance(
-          0.01, CGAL::T_splines::parameters::face_deviation_map(boost::make_assoc_property_map(deviations))));
+          0.01 / 8, CGAL::T_splines::parameters::face_deviation_map(boost::make_assoc_property_map(deviations))));
   const double height = 4. / 9;
   CHECK(report.surface_to_mesh.maximum > height / 1.02);
   CHECK(report.surface_to_mesh.maximum < height * (1 + 1e-12));
@@ -360,7 +361,7 @@ TEST_CASE("a bulge between the vertices is found where it is", "[measure_T_splin
   CHECK(report.surface_to_mesh.upper_bound < 1.02 * height);
   CHECK(std::abs(report.surface_to_mesh.farthest_point.x() - 7. / 6) < 0.1);
   CHECK(std::abs(report.surface_to_mesh.farthest_point.y() - 5. / 6) < 0.1);
-  CHECK_FALSE(report.is_within_tolerance());
+  CHECK_FALSE(report.within_tolerance());
   // The bulge covers 16 of 432 faces.
   CHECK(report.surface_to_mesh.share_within_tolerance > 1 - 0.08);
   CHECK(report.surface_to_mesh.share_within_tolerance < 1 - 0.01);
@@ -428,8 +429,8 @@ TEST_CASE("the closest point may lie on the other side of a thin plate", "[measu
   CHECK(report.normals.number_of_certified_patches == 0);
   CHECK(report.surface_to_mesh_place.mesh_face == Triangles::Face_index(2));
   // The side that the surface belongs to is within the tolerance, or is not.
-  CHECK(measure_T_spline_deviation(flat.surface(), mesh, CGAL::T_splines::parameters::tolerance(0.07)).has_folds());
-  const auto thin = measure_T_spline_deviation(flat.surface(), mesh, CGAL::T_splines::parameters::tolerance(0.09));
+  CHECK(measure_T_spline_deviation(flat.surface(), mesh, CGAL::T_splines::parameters::tolerance(0.07 / 8)).has_folds());
+  const auto thin = measure_T_spline_deviation(flat.surface(), mesh, CGAL::T_splines::parameters::tolerance(0.09 / 8));
   CHECK_FALSE(thin.has_folds());
   CHECK(thin.normals.number_of_doubtful_patches == thin.normals.number_of_patches);
 }
@@ -507,6 +508,11 @@ TEST_CASE("bad input is reported with its place", "[measure_T_spline_deviation]"
     CHECK(report.status == Status::VERTEX_NOT_FINITE);
     CHECK(report.vertex == Triangles::Vertex_index(1));
   }
+
+  const CGAL::T_splines::T_spline<Kernel> empty;
+  const auto without_faces = measure_T_spline_deviation(empty.surface(), flat_rectangle(0, 0));
+  CHECK(without_faces.status == Status::SURFACE_WITHOUT_FACES);
+  CHECK(describe(without_faces, flat_rectangle(0, 0)) == message(Status::SURFACE_WITHOUT_FACES));
 
   flat.set_control(*flat.mesh.vertices().begin(), Point_3(0, 0, 1e200), 1);
   CHECK(measure_T_spline_deviation(flat.surface(), flat_rectangle(0, 0)).status == Status::SURFACE_NOT_FINITE);

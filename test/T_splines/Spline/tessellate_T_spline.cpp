@@ -3,7 +3,10 @@
 
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
 
+#include <CGAL/T_splines/IO/read_triangle_mesh.h>
 #include <CGAL/T_splines/IO/write_t_spline_obj.h>
+#include <CGAL/T_splines/IO/write_t_spline_ply.h>
+#include <CGAL/T_splines/Spline/Mesh_distance.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
 
 #include "IO/Temporary_directory.h"
@@ -15,9 +18,14 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <fstream>
+#include <ios>
 #include <map>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -88,7 +96,10 @@ TEST_CASE("the mesh has the topology of the surface, its points, normals and pla
     const Mesh::Surface spline = prepared(t);
     Triangles mesh;
     const auto normals = mesh.add_property_map<Triangles::Vertex_index, Kernel::Vector_3>("v:normal").first;
-    T::tessellate_T_spline(spline, 3, mesh, CGAL::parameters::vertex_normal_map(normals));
+    REQUIRE(T::tessellate_T_spline(spline, 3, mesh, CGAL::parameters::vertex_normal_map(normals)));
+    const auto number_of_faces = mesh.number_of_faces();
+    CHECK_FALSE(T::tessellate_T_spline(spline, 3, mesh)); // it is not empty any more
+    CHECK(mesh.number_of_faces() == number_of_faces);
     CHECK(euler_characteristic(mesh) == characteristic);
     CHECK(CGAL::is_closed(mesh) == (characteristic != 1));
     CHECK(CGAL::is_triangle_mesh(mesh));
@@ -101,6 +112,58 @@ TEST_CASE("the mesh has the topology of the surface, its points, normals and pla
       CHECK(normals[v] == spline.unit_normal(place.face, place.u, place.v));
     }
   }
+}
+
+TEST_CASE("triangles are as close to the surface as asked for, the more the closer", "[Tessellation_resolution]")
+{
+  for (const auto& surface : closed_surfaces<double>()) {
+    Mesh t(surface.second);
+    const auto patches = T::compile_T_spline(prepared(t));
+    std::size_t last = 0;
+    for (const double distance : {0.2, 0.02, 0.002}) {
+      INFO(surface.first << ", " << distance);
+      const auto resolution = T::Tessellation_resolution::within(distance);
+      CHECK(resolution.is_adaptive());
+      Triangles triangles;
+      REQUIRE(T::tessellate_T_spline(patches, resolution, triangles).success());
+      CHECK(CGAL::is_closed(triangles));
+      CHECK(triangles.number_of_faces() > last);
+      last = triangles.number_of_faces();
+      const T::Mesh_distance to_triangles(triangles);
+      double largest = 0;
+      for (std::size_t i = 0; i < patches.number_of_patches(); ++i)
+        for (int k = 0; k < 100; ++k)
+          largest =
+              (std::max)(largest, to_triangles(patches.patch(i).position((k % 10 + 0.5) / 10, (k / 10 + 0.5) / 10)));
+      CHECK(largest < 1.5 * distance);
+    }
+  }
+}
+
+TEST_CASE("a PLY file has the points and triangles bit by bit, and the normals", "[write_t_spline_ply]")
+{
+  Mesh t(test_t_meshes::cube<double>());
+  const Mesh::Surface spline = prepared(t);
+  const Temporary_directory directory;
+  REQUIRE_FALSE(T::write_t_spline_ply(directory.file("cube.ply"), spline, 4));
+  Triangles expected, triangles;
+  REQUIRE(T::tessellate_T_spline(spline, 4, expected).success());
+  REQUIRE(T::read_triangle_mesh(directory.file("cube.ply"), triangles).success());
+  REQUIRE(triangles.number_of_vertices() == expected.number_of_vertices());
+  REQUIRE(triangles.number_of_faces() == expected.number_of_faces());
+  for (const auto v : expected.vertices())
+    CHECK(triangles.point(v) == expected.point(v));
+  std::ostringstream content;
+  content << std::ifstream(directory.file("cube.ply"), std::ios::binary).rdbuf();
+  const std::string text = content.str(), end = "end_header\n";
+  const std::size_t header = text.find(end) + end.size();
+  CHECK(text.size() == header + 36 * expected.number_of_vertices() + 13 * expected.number_of_faces());
+  const auto place = T::tessellate_parameter_domain(spline, 4).places.front();
+  float normal[3];
+  std::memcpy(normal, text.data() + header + 24, sizeof(normal)); // this machine's numbers are little endian, too
+  for (int k = 0; k < 3; ++k)
+    CHECK(normal[k] == static_cast<float>(spline.unit_normal(place.face, place.u, place.v)[k]));
+  CHECK(T::write_t_spline_ply(directory.file("no/cube.ply"), spline, 4));
 }
 
 TEST_CASE("an OBJ file has the triangles and unit normals, or is not there", "[write_t_spline_obj]")

@@ -44,7 +44,7 @@ TEST_CASE("points go by the first piece in whose rectangle they are", "[Carried_
   points.add(a, 3, 1, 'z');
   points.add(c, 5, 5, 'w');
   // [0, 4] x [0, 2] is cut at u = 2; the right part turns by a quarter and is half as large.
-  points.visitor().faces_replaced(
+  points.observer().faces_replaced(
       std::vector<Piece<FT>>{{a, a, Similarity<FT>(), 2, 2}, {a, b, Similarity<FT>(1, FT(1) / 2, 1, -1), 1, 1}});
   CHECK(names(points, a) == "xy");
   CHECK(names(points, b) == "z");
@@ -53,7 +53,7 @@ TEST_CASE("points go by the first piece in whose rectangle they are", "[Carried_
   CHECK(points.points(b)[0].v == FT(1) / 2);
 
   // The two become one again, with the frame of b.
-  points.visitor().faces_replaced(
+  points.observer().faces_replaced(
       std::vector<Piece<FT>>{{b, b, Similarity<FT>(), 1, 2}, {a, b, Similarity<FT>(1, FT(1) / 2, 1, 1), 1, 2}});
   CHECK(names(points, a).empty());
   CHECK(names(points, b).size() == 3);
@@ -64,7 +64,7 @@ TEST_CASE("what round-off leaves outside goes to the nearest piece", "[Carried_p
   CGAL::T_splines::Carried_points<Mesh, double, char> points;
   points.add(a, 4 + 1e-15, 1, 'x');
   points.add(a, -1e-15, 1, 'y');
-  points.visitor().faces_replaced(
+  points.observer().faces_replaced(
       std::vector<Piece<double>>{{a, a, Similarity<double>(), 2, 2}, {a, b, Similarity<double>(0, 1, -2, 0), 2, 2}});
   CHECK(names(points, a) == "y");
   CHECK(names(points, b) == "x");
@@ -74,7 +74,7 @@ TEST_CASE("points in doubles follow exact faces", "[Carried_points]")
 {
   CGAL::T_splines::Carried_points<Mesh, double, char> points;
   points.add(a, 0.25, 0.5, 'x');
-  points.visitor().faces_replaced(
+  points.observer().faces_replaced(
       std::vector<Piece<Rational>>{{a, c, Similarity<Rational>(2, Rational(1) / 2, 3, 3), 4, 4}});
   CHECK(names(points, c) == "x");
   CHECK(points.points(c)[0].u == 2.875);

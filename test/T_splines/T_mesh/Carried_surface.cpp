@@ -82,8 +82,8 @@ TEST_CASE("The images stay where they are while faces are split and lines remove
 {
   Carried_box box(4, bumpy);
   CGAL::Random random(2);
-  const auto visitor = box.surface.visitor();
-  T::T_mesh_editor editor(box.t_mesh, visitor);
+  const auto observer = box.surface.observer();
+  T::T_mesh_editor editor(box.t_mesh, observer);
   for (int i = 0; i < 60; ++i) {
     const Mesh::Face_index f(
         static_cast<Mesh::size_type>(random.get_int(0, static_cast<int>(box.t_mesh.graph().number_of_faces()))));
@@ -93,7 +93,7 @@ TEST_CASE("The images stay where they are while faces are split and lines remove
   }
   check_covered(box);
   const std::size_t before = box.t_mesh.graph().number_of_faces();
-  T::regularize_T_mesh(box.t_mesh, CGAL::parameters::visitor(visitor));
+  T::regularize_T_mesh(box.t_mesh, CGAL::T_splines::parameters::observer(observer));
   CHECK(box.t_mesh.graph().number_of_faces() != before);
   check_covered(box);
 }

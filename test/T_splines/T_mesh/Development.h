@@ -6,7 +6,7 @@
 
 #include <CGAL/T_splines/Similarity_map/Similarity_2.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 
 #include <CGAL/Fraction_traits.h>
 
@@ -81,7 +81,7 @@ struct Scaling_group {
   }
 };
 
-// The map of each face's frame to the plane, kept up to date by the visitor.
+// The map of each face's frame to the plane, kept up to date by the observer.
 template <typename Graph, typename FT>
 class Development {
 public:
@@ -89,9 +89,9 @@ public:
   using Similarity = CGAL::T_splines::Similarity_2<FT>;
   using Piece = CGAL::T_splines::T_mesh_piece<Graph, FT>;
 
-  class Visitor : public CGAL::T_splines::T_mesh_visitor {
+  class Observer : public CGAL::T_splines::T_mesh_observer {
   public:
-    explicit Visitor(Development& development) : m_development(&development) {}
+    explicit Observer(Development& development) : m_development(&development) {}
     void faces_replaced(const std::vector<Piece>& pieces) const { m_development->replace(pieces); }
 
   private:
@@ -101,7 +101,7 @@ public:
   void set(const face_descriptor f, const Similarity& s) { m_maps.insert_or_assign(f, s); }
   const Similarity& of(const face_descriptor f) const { return m_maps.at(f); }
   std::size_t size() const { return m_maps.size(); }
-  Visitor visitor() { return Visitor(*this); }
+  Observer observer() { return Observer(*this); }
   const std::vector<face_descriptor>& touched() const { return m_touched; } // by the last change
 
   // Whether neighbours fit together along each edge.

@@ -117,6 +117,18 @@ TEMPLATE_TEST_CASE("a T-mesh is copied into any graph, and its knots into other 
   }
 }
 
+TEST_CASE("what is not empty receives no copy", "[T_mesh]")
+{
+  const Exact_t_mesh t_mesh = pinwheel();
+  Exact_t_mesh copy;
+  REQUIRE(T::copy_T_mesh(t_mesh, copy));
+  CHECK_FALSE(T::copy_T_mesh(t_mesh, copy));
+  CHECK(copy.graph().number_of_faces() == t_mesh.graph().number_of_faces());
+  copy.graph().clear_without_removing_property_maps();
+  copy.graph().remove_vertex(copy.graph().add_vertex());
+  CHECK_FALSE(T::copy_T_mesh(t_mesh, copy)); // a removed vertex would come first again
+}
+
 TEST_CASE("a view refers to a T-mesh, and makes one of a graph and maps", "[T_mesh]")
 {
   Exact_t_mesh t_mesh = pinwheel();

@@ -44,13 +44,13 @@ public:
   using Mesh = test_t_meshes::T_mesh<TMesh, FT>;
   using Development = test_t_meshes::Development<TMesh, FT>;
   using Points = CGAL::T_splines::Carried_points<TMesh, FT, Plane_point<FT>>;
-  using Visitor = CGAL::T_splines::T_mesh_visitor_pair<typename Development::Visitor, typename Points::Visitor>;
-  using Editor = CGAL::T_splines::T_mesh_editor<CGAL::T_splines::T_mesh_view_of<Mesh>, Visitor>;
+  using Observer = CGAL::T_splines::T_mesh_observer_pair<typename Development::Observer, typename Points::Observer>;
+  using Editor = CGAL::T_splines::T_mesh_editor<CGAL::T_splines::T_mesh_view_of<Mesh>, Observer>;
   using Similarity = CGAL::T_splines::Similarity_2<FT>;
 
   explicit Scene(const test_t_meshes::Faces<FT>& faces)
     : mesh(faces),
-      editor(mesh, Visitor(development.visitor(), points.visitor()))
+      editor(mesh, Observer(development.observer(), points.observer()))
   {
   }
 

@@ -5,6 +5,7 @@
 
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
 #include <CGAL/T_splines/T_mesh/is_admissible.h>
+#include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
 
 #include "T_mesh/test_t_meshes.h"
@@ -30,8 +31,7 @@ using Rational = CGAL::Exact_rational;
 using CGAL::T_splines::grade_T_mesh;
 using test_t_meshes::Faces;
 
-// The largest quotient of the longer sides of two faces with a common edge; the smallest longer side, in the unit of
-// the first face of a regular T-mesh.
+// The largest quotient of the longer sides of two faces with a common edge, in the units of the edge.
 template <typename Mesh>
 double largest_ratio(Mesh& t)
 {
@@ -78,12 +78,12 @@ TEMPLATE_TEST_CASE("sizes change gradually after grading", "[grade_T_mesh]", (st
       make_uneven(t, 8);
       const std::size_t before = num_faces(t.mesh);
       REQUIRE(largest_ratio(t) > 50);
-      const std::size_t splits = grade_T_mesh(t, ratio);
+      const std::size_t splits = grade_T_mesh(t, ratio).splits;
       CHECK(num_faces(t.mesh) == before + splits);
       CHECK(largest_ratio(t) <= ratio * (1 + 1e-9));
       CHECK(CGAL::T_splines::is_admissible(t));
       CHECK(splits < 200); // some faces for each of the eight sizes
-      CHECK(grade_T_mesh(t, ratio) == 0);
+      CHECK(grade_T_mesh(t, ratio).splits == 0);
     }
   }
 }
@@ -91,14 +91,16 @@ TEMPLATE_TEST_CASE("sizes change gradually after grading", "[grade_T_mesh]", (st
 TEST_CASE("a graded T-mesh is not changed", "[grade_T_mesh]")
 {
   test_t_meshes::T_mesh<Surface_mesh, Rational> t(test_t_meshes::torus<Rational>(4, 3));
-  CHECK(grade_T_mesh(t, 3) == 0);
+  CHECK(grade_T_mesh(t, 3).splits == 0);
 }
 
 TEST_CASE("a T-mesh that was graded can be made spline compatible again", "[grade_T_mesh]")
 {
   test_t_meshes::T_mesh<Surface_mesh, Rational> t(test_t_meshes::cube<Rational>());
-  make_uneven(t, 4);
+  make_uneven(t, 6);
   REQUIRE(CGAL::T_splines::make_spline_compatible(t));
-  grade_T_mesh(t, 4);
+  REQUIRE(CGAL::T_splines::is_spline_compatible(t));
+  REQUIRE(grade_T_mesh(t, 4).splits > 0);
   CHECK(CGAL::T_splines::make_spline_compatible(t));
+  CHECK(CGAL::T_splines::is_spline_compatible(t));
 }

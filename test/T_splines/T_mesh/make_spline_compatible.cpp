@@ -70,11 +70,11 @@ Numbers numbers_of(const TMesh& t_mesh)
 }
 
 // Makes a T-mesh spline compatible and checks what must hold then.
-template <typename TMesh, typename Visitor = CGAL::T_splines::T_mesh_visitor>
-auto make_and_check(TMesh&& t_mesh, const Visitor& visitor = Visitor())
+template <typename TMesh, typename Observer = CGAL::T_splines::T_mesh_observer>
+auto make_and_check(TMesh&& t_mesh, const Observer& observer = Observer())
 {
   const auto before = numbers_of(t_mesh);
-  const auto report = make_spline_compatible(t_mesh, CGAL::parameters::visitor(visitor));
+  const auto report = make_spline_compatible(t_mesh, CGAL::T_splines::parameters::observer(observer));
   const auto after = numbers_of(t_mesh);
   INFO(message(report.status));
   CHECK(report.success());
@@ -143,10 +143,10 @@ public:
     }
   }
 
-  auto visitor()
+  auto observer()
   {
-    using Visitor = CGAL::T_splines::T_mesh_visitor_pair<typename Development::Visitor, typename Points::Visitor>;
-    return Visitor(development.visitor(), points.visitor());
+    using Observer = CGAL::T_splines::T_mesh_observer_pair<typename Development::Observer, typename Points::Observer>;
+    return Observer(development.observer(), points.observer());
   }
 
   bool points_stay()
@@ -267,7 +267,7 @@ TEMPLATE_TEST_CASE("points stay where they are on the surface", "[make_spline_co
   for (const auto& faces : {test_t_meshes::cube<Rational>(), test_t_meshes::torus<Rational>(2, 1),
                             test_t_meshes::genus_two<Rational>(), test_t_meshes::star<Rational>(5, 1)}) {
     Scene<TestType> scene(faces);
-    make_and_check(scene.mesh, scene.visitor());
+    make_and_check(scene.mesh, scene.observer());
     CHECK(scene.points_stay());
   }
 }

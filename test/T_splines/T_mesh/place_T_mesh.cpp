@@ -27,7 +27,7 @@ using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 
 // Keeps the origins of vertices up to date.
 template <typename Origins>
-struct Origin_keeper : CGAL::T_splines::T_mesh_visitor {
+struct Origin_keeper : CGAL::T_splines::T_mesh_observer {
   Origins* origins;
   typename Origins::mapped_type none;
 
@@ -71,13 +71,13 @@ struct Changing_graph {
       points.add(place.face, place.u, place.v, v);
   }
 
-  auto visitor()
+  auto observer()
   {
     using namespace CGAL::T_splines;
     const Origin_keeper<Origins> origins(traced.origins, Surface_mesh::null_vertex());
-    using Of_points = typename Points::Visitor;
-    return T_mesh_visitor_pair<Origin_keeper<Origins>, T_mesh_visitor_pair<Of_points, Roots>>(
-        origins, T_mesh_visitor_pair<Of_points, Roots>(points.visitor(), roots));
+    using Of_points = typename Points::Observer;
+    return T_mesh_observer_pair<Origin_keeper<Origins>, T_mesh_observer_pair<Of_points, Roots>>(
+        origins, T_mesh_observer_pair<Of_points, Roots>(points.observer(), roots));
   }
 
   T_mesh_check check()
@@ -153,7 +153,8 @@ TEMPLATE_TEST_CASE("After regularization and refinement the T-mesh lies on the s
   for (const Plain_map& map : maps()) {
     Changing_graph<TestType> graph(map);
     const auto t_mesh = graph.traced.view();
-    const auto regularization = CGAL::T_splines::regularize_T_mesh(t_mesh, CGAL::parameters::visitor(graph.visitor()));
+    const auto regularization =
+        CGAL::T_splines::regularize_T_mesh(t_mesh, CGAL::T_splines::parameters::observer(graph.observer()));
     const T_mesh_check regular = graph.check();
     INFO(regular.text());
     CHECK(regular.success());
@@ -165,7 +166,7 @@ TEMPLATE_TEST_CASE("After regularization and refinement the T-mesh lies on the s
     for (const auto f : faces(t_mesh.graph()))
       largest = std::max({largest, size(f).first, size(f).second});
     CGAL::T_splines::refine_T_mesh(t_mesh, size, largest / 4,
-                                   CGAL::parameters::visitor(graph.visitor()).number_of_iterations(200));
+                                   CGAL::T_splines::parameters::observer(graph.observer()).number_of_iterations(200));
     const T_mesh_check refined = graph.check();
     INFO(refined.text());
     CHECK(refined.success());

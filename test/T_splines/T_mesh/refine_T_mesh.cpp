@@ -123,7 +123,7 @@ TEST_CASE("sizes on a surface, by the points that the T-mesh carries", "[refine_
   Size size(coordinates, points);
   CHECK(size(t.face_list[0]).first == Approx(6).epsilon(0.01));
   CHECK(size(t.face_list[0]).second == Approx(10).epsilon(0.01));
-  const auto report = refine_T_mesh(t, size, 0.5, CGAL::parameters::visitor(size.visitor()));
+  const auto report = refine_T_mesh(t, size, 0.5, CGAL::T_splines::parameters::observer(size.observer()));
   CHECK(report.success());
   for (const auto f : faces(t.mesh)) {
     CHECK(6 * CGAL::to_double(coordinates.width(f)) == Approx(0.375).epsilon(0.01));
@@ -132,7 +132,7 @@ TEST_CASE("sizes on a surface, by the points that the T-mesh carries", "[refine_
 
   SECTION("where the points get sparse, the old faces tell the size")
   {
-    const auto fine = refine_T_mesh(t, size, 0.05, CGAL::parameters::visitor(size.visitor()));
+    const auto fine = refine_T_mesh(t, size, 0.05, CGAL::T_splines::parameters::observer(size.observer()));
     CHECK(fine.success());
     for (const auto f : faces(t.mesh)) {
       CHECK(6 * CGAL::to_double(coordinates.width(f)) == Approx(0.046875).epsilon(0.01));

@@ -334,8 +334,10 @@ TEST_CASE("Triangles that no face has met continue their neighbors", "[sample]")
   Sampled map(folded(net(cube(), 3, Pattern::CROSSES)));
   const auto& [face, anchor] = *map.traced.anchors.begin();
   T::internal::Face_triangles<Exact> triangles(map.traced.map.layout());
+  T::internal::Progress nobody;
   triangles.add_face(map.traced.map.indexing().face_index(anchor.triangle), anchor.to_face,
-                     CGAL::to_double(map.coordinates().width(face)), CGAL::to_double(map.coordinates().height(face)));
+                     CGAL::to_double(map.coordinates().width(face)), CGAL::to_double(map.coordinates().height(face)),
+                     nobody);
   const auto number_without_place = [&] {
     std::size_t result = 0;
     for (int t = 0; t < static_cast<int>(num_faces(map.traced.mesh)); ++t) {

@@ -599,6 +599,80 @@ TEST_CASE("An empty map, and a visitor that stops the work: the T-mesh stays emp
   CHECK(trace(folded(folded_triangle({{1. / 4096, -63. / 262144}}, {{1, 1 - 3. / 524288}})), 0) == Status::INTERRUPTED);
 }
 
+// Predicates of coordinates that are rounded to multiples of a unit; they count how often they are asked.
+class Coarse_traits : public CGAL::T_splines::Exact_tracing_traits<Exact> {
+  using Base = CGAL::T_splines::Exact_tracing_traits<Exact>;
+
+public:
+  explicit Coarse_traits(const double unit) : m_unit(unit) {}
+
+  CGAL::Comparison_result compare(const Coordinate& a, const Coordinate& b) const
+  {
+    ++m_statistics.calls;
+    return CGAL::compare(rounded(a), rounded(b));
+  }
+  CGAL::Orientation orientation(const Point& p, const Point& q, const Point& r) const
+  {
+    ++m_statistics.calls;
+    const double u = rounded(p.u), v = rounded(p.v);
+    return CGAL::sign((rounded(q.u) - u) * (rounded(r.v) - v) - (rounded(q.v) - v) * (rounded(r.u) - u));
+  }
+  const CGAL::T_splines::Predicate_statistics& statistics() const { return m_statistics; }
+
+private:
+  double rounded(const Coordinate& x) const { return std::round(x.lower / m_unit) * m_unit; }
+
+  double m_unit;
+  mutable CGAL::T_splines::Predicate_statistics m_statistics;
+};
+
+TEST_CASE("The tracing traits given decide: coarse predicates lead to all that may go wrong, and it is said", "[trace]")
+{
+  using Status = CGAL::T_splines::Motorcycle_graph_status;
+  const auto trace = [](const Plain_map& plain, const double unit) {
+    const Surface_mesh mesh = test_meshes::face_graph<Surface_mesh>(plain);
+    std::map<Surface_mesh::Halfedge_index, Kernel::Point_2> uv;
+    put_corners(plain, mesh, boost::make_assoc_property_map(uv));
+    CGAL::T_splines::Seamless_map<Surface_mesh> map(mesh);
+    REQUIRE(make_exactly_seamless(mesh, boost::make_assoc_property_map(uv), map).success());
+    CGAL::T_splines::T_mesh<Kernel::Point_3, double> t_mesh;
+    const auto report =
+        trace_motorcycle_graph(map, t_mesh, CGAL::T_splines::parameters::tracing_traits(Coarse_traits(unit)));
+    CHECK(report.predicates.calls > 0);
+    CHECK(report.predicates.exact_calls == 0); // the default ones have some on these maps
+    CHECK(CGAL::is_empty(t_mesh.graph()) != report.success());
+    CHECK(describe(report).find(message(report.status)) == 0);
+    const bool is_explained =
+        describe(report).find(" crossed triangles); use the exact predicates of Exact_tracing_traits") !=
+        std::string::npos;
+    CHECK(is_explained != report.success());
+    return report.status;
+  };
+  const std::vector<Position> octagon = {{{1, -0.25}}, {{0.75, 0.5}}, {{0.125, 1}}, {{-0.5, 0.75}}};
+  const Plain_map map = folded(subdivided(subdivided(symmetric_polygon(octagon))));
+  CHECK(trace(map, 1e-12) == Status::SUCCESS);
+  CHECK(trace(map, 1. / 16) == Status::NO_T_MESH);
+  CHECK(trace(map, 0.1) == Status::TRACE_LOST);
+  CHECK(trace(map, 0.755) == Status::TRACE_LOST); // a vertex has not as many rays as its angle says
+  std::set<Status> found;                         // on a torus whose isolines spiral slowly
+  for (int n = 500; n > 50; n -= 5)
+    found.insert(trace(folded(scaled_torus(1.01, 4, 0, 4, 4)), 1. / n));
+  CHECK(found.count(Status::TRACE_WITHOUT_END) == 1);
+}
+
+TEST_CASE("A T-mesh that is not empty is refused, and left as it was", "[trace]")
+{
+  using Status = CGAL::T_splines::Motorcycle_graph_status;
+  const Traced traced(folded(net(cube(), 2, Pattern::CROSSES)));
+  REQUIRE(traced.success());
+  CGAL::T_splines::T_mesh<Kernel::Point_3, Exact> t_mesh;
+  REQUIRE(trace_motorcycle_graph(traced.map, t_mesh).success());
+  const auto report = trace_motorcycle_graph(traced.map, t_mesh);
+  CHECK(report.status == Status::OUTPUT_NOT_EMPTY);
+  CHECK(describe(report) == message(report.status));
+  CHECK(num_vertices(t_mesh.graph()) == 8);
+}
+
 TEST_CASE("The checker finds what is wrong with a T-mesh", "[trace]")
 {
   const Traced traced(folded(net(cube(), 2, Pattern::CROSSES)));

@@ -207,7 +207,7 @@ TEST_CASE("a limit on the control points is obeyed, and a surface beyond the tol
   const Program_run run(tetrahedron + " --tolerance 0.0001 --max-control-points 700 -o '" + output + "'");
   CAPTURE(run.errors, run.output);
   REQUIRE(run.exit_code == 0);
-  CHECK(contains(run.output, "ended beyond the tolerance: the allowed number of control points is reached"));
+  CHECK(contains(run.output, "ended beyond the tolerance: more control points would be needed than are allowed"));
   CHECK(contains(file_content(output + "/report.json"), "\"is_within_tolerance\": false"));
   Test_t_mesh t_mesh;
   REQUIRE(t_mesh.read(output + "/t_mesh.ply").success());

@@ -77,6 +77,27 @@ void check_output(const std::string& directory, const std::string& mesh_file)
 
 } // namespace
 
+TEST_CASE("README and manual list the options as the program does, and README has the first example as it is")
+{
+  const std::string readme = file_content(T_SPLINES_SOURCE_DIR "/README.md"),
+                    manual = file_content(T_SPLINES_SOURCE_DIR "/doc/T_splines/T_splines.txt"),
+                    example = file_content(T_SPLINES_SOURCE_DIR "/examples/T_splines/first_surface.cpp");
+  const Program_run table("--help=markdown"), help("--help");
+  REQUIRE(table.exit_code == 0);
+  std::istringstream rows(table.output);
+  int number = 0;
+  for (std::string row; std::getline(rows, row); ++number) {
+    INFO(row);
+    CHECK(contains(readme, row + "\n"));
+    CHECK(contains(manual, row + "\n"));
+    const std::size_t name = row.find("`--");
+    if (name != std::string::npos)
+      CHECK(contains(help.output, "  " + row.substr(name + 1, row.find_first_of(" `", name + 1) - name - 1)));
+  }
+  CHECK(number > 25);
+  CHECK(contains(readme, "```cpp\n" + example.substr(example.find("#include")) + "```\n"));
+}
+
 TEST_CASE("help and version")
 {
   const Program_run help("--help"), version("--version");

@@ -7,8 +7,6 @@ function showDivider(options) {
   const divider = document.getElementById("divider"), percent = 100 * options.compare;
   divider.hidden = !(options.compared && options.view.ofSpline);
   divider.style.left = `${percent}%`;
-  const controls = document.getElementById("controls");
-  divider.style.top = `${controls.offsetTop + controls.offsetHeight + 6}px`;
   divider.setAttribute("aria-valuenow", percent.toFixed(0));
 }
 

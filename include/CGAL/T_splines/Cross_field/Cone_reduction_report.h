@@ -6,6 +6,8 @@
 
 #include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
 
+#include <string>
+
 namespace CGAL {
 namespace T_splines {
 
@@ -56,7 +58,23 @@ struct Cone_reduction_report {
 
   /// returns whether `status` tells of success.
   bool success() const { return status == Cone_reduction_status::REDUCED; }
+  /// converts to `true` upon success.
+  explicit operator bool() const { return success(); }
 };
+
+/// \ingroup PkgTSplinesCrossField
+/// returns what `report` says; of an input that is refused, why. Complexity: linear in the size of the mesh.
+template <typename TriangleMesh>
+std::string describe(const Cone_reduction_report<TriangleMesh>& report, const TriangleMesh& mesh)
+{
+  switch (report.status) {
+  case Cone_reduction_status::INVALID_MESH:
+  case Cone_reduction_status::INVALID_SIGNATURE: return describe(report.signature, mesh);
+  case Cone_reduction_status::LIMIT_UNREACHABLE:
+    return "the surface cannot do with so few cones; the fewest possible are " + std::to_string(report.number_of_cones);
+  default: return message(report.status);
+  }
+}
 
 } // namespace T_splines
 } // namespace CGAL

@@ -5,10 +5,12 @@
 #define CGAL_T_SPLINES_CROSS_FIELD_HOLONOMY_SIGNATURE_REPORT_H
 
 #include <CGAL/T_splines/Cross_field/check_triangle_mesh.h>
+#include <CGAL/T_splines/internal/element_numbers.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <string>
 
 namespace CGAL {
 namespace T_splines {
@@ -20,15 +22,18 @@ enum class Holonomy_signature_status {
   INVALID_MESH,          ///< the mesh is refused: see `mesh`
   INVALID_FIELD,         ///< the field has no direction at `face`: zero, not a number, or perpendicular to the face
   NULL_VERTEX,           ///< cone number `index` has no vertex
+  FOREIGN_VERTEX,        ///< the vertex of cone number `index` is not a vertex of the mesh, or not any more
   DUPLICATE_CONE,        ///< `vertex` is given twice; cone number `index` repeats it
   NON_POSITIVE_CONE,     ///< `vertex` has the number `actual` < 1 of quarter turns
   GAUSS_BONNET_VIOLATED, ///< the sum of 4 - k over the vertices of `component` is `actual` instead of `expected`
   WRONG_NUMBER_OF_LOOPS, ///< `component` has `actual` loops instead of `expected`
   WRONG_NUMBER_OF_TURNS, ///< `actual` loop turning numbers are given instead of `expected`
   INVALID_LOOP,          ///< loop number `index` is not a closed strip of faces that never turns back
+  FOREIGN_LOOP,          ///< a halfedge of loop number `index` is not one of the mesh, or not any more
   DEPENDENT_LOOPS,       ///< the loops of `component` do not generate its homology
   VERTEX_NOT_INTEGER,    ///< the turns around `vertex` are not a multiple of pi/2 within 1e-6
-  LOOP_NOT_INTEGER       ///< the turns along loop number `index` are not a multiple of pi/2 within 1e-6
+  LOOP_NOT_INTEGER,      ///< the turns along loop number `index` are not a multiple of pi/2 within 1e-6
+  INTERRUPTED            ///< the visitor asked to stop
 };
 
 /// \ingroup PkgTSplinesCrossField
@@ -40,6 +45,9 @@ inline const char* message(const Holonomy_signature_status status)
   case Holonomy_signature_status::INVALID_MESH: return "the mesh is not a closed triangle mesh with positive areas";
   case Holonomy_signature_status::INVALID_FIELD: return "the field has no direction in a face";
   case Holonomy_signature_status::NULL_VERTEX: return "a cone has no vertex";
+  case Holonomy_signature_status::FOREIGN_VERTEX:
+    return "a cone has a vertex that the mesh does not have; the signature belongs to another mesh, or the mesh was "
+           "edited";
   case Holonomy_signature_status::DUPLICATE_CONE: return "a vertex is given as a cone twice";
   case Holonomy_signature_status::NON_POSITIVE_CONE: return "a vertex has fewer than one quarter turn";
   case Holonomy_signature_status::GAUSS_BONNET_VIOLATED:
@@ -48,9 +56,13 @@ inline const char* message(const Holonomy_signature_status status)
   case Holonomy_signature_status::WRONG_NUMBER_OF_LOOPS: return "a component has not as many loops as twice its genus";
   case Holonomy_signature_status::WRONG_NUMBER_OF_TURNS: return "there are not as many turning numbers as loops";
   case Holonomy_signature_status::INVALID_LOOP: return "a loop is not a closed strip of faces";
+  case Holonomy_signature_status::FOREIGN_LOOP:
+    return "a loop has a halfedge that the mesh does not have; the signature belongs to another mesh, or the mesh was "
+           "edited";
   case Holonomy_signature_status::DEPENDENT_LOOPS: return "the loops of a component do not generate its homology";
   case Holonomy_signature_status::VERTEX_NOT_INTEGER: return "the field does not close up around a vertex";
   case Holonomy_signature_status::LOOP_NOT_INTEGER: return "the field does not close up along a loop";
+  case Holonomy_signature_status::INTERRUPTED: return "interrupted by the visitor";
   }
   return "";
 }
@@ -76,7 +88,48 @@ struct Holonomy_signature_report {
 
   /// returns whether `status` tells of success.
   bool success() const { return status == Holonomy_signature_status::VALID; }
+  /// converts to `true` upon success.
+  explicit operator bool() const { return success(); }
 };
+
+/// \ingroup PkgTSplinesCrossField
+/// returns what `report` says, with the numbers of the elements concerned, counted from 0. Complexity: linear in the
+/// size of the mesh.
+template <typename TriangleMesh>
+std::string describe(const Holonomy_signature_report<TriangleMesh>& report, const TriangleMesh& mesh)
+{
+  using Status = Holonomy_signature_status;
+  std::string text = message(report.status);
+  const std::string numbers = " is " + std::to_string(report.actual) + " instead of " + std::to_string(report.expected);
+  const std::string counted = ", counted from 0";
+  switch (report.status) {
+  case Status::VALID:
+  case Status::INTERRUPTED: break;
+  case Status::INVALID_MESH: return describe(report.mesh, mesh);
+  case Status::INVALID_FIELD: text += ": " + internal::face_in_words(report.face, mesh) + counted; break;
+  case Status::NULL_VERTEX:
+  case Status::FOREIGN_VERTEX: text += ": cone " + std::to_string(report.index) + counted; break;
+  case Status::DUPLICATE_CONE:
+  case Status::VERTEX_NOT_INTEGER: text += ": " + internal::vertex_in_words(report.vertex, mesh) + counted; break;
+  case Status::NON_POSITIVE_CONE:
+    text +=
+        ": " + internal::vertex_in_words(report.vertex, mesh) + counted + ", has k = " + std::to_string(report.actual);
+    break;
+  case Status::GAUSS_BONNET_VIOLATED:
+    text += ": the sum over component " + std::to_string(report.component) + numbers + " (off by " +
+            std::to_string(report.actual - report.expected) + ")";
+    break;
+  case Status::WRONG_NUMBER_OF_LOOPS:
+    text += ": the number in component " + std::to_string(report.component) + numbers;
+    break;
+  case Status::WRONG_NUMBER_OF_TURNS: text += ": the number of turning numbers" + numbers; break;
+  case Status::INVALID_LOOP:
+  case Status::FOREIGN_LOOP:
+  case Status::LOOP_NOT_INTEGER: text += ": loop " + std::to_string(report.index) + counted; break;
+  case Status::DEPENDENT_LOOPS: text += ": component " + std::to_string(report.component) + counted; break;
+  }
+  return text;
+}
 
 } // namespace T_splines
 } // namespace CGAL

@@ -4,6 +4,8 @@
 #ifndef CGAL_T_SPLINES_CROSS_FIELD_CHECK_TRIANGLE_MESH_H
 #define CGAL_T_SPLINES_CROSS_FIELD_CHECK_TRIANGLE_MESH_H
 
+#include <CGAL/T_splines/internal/element_numbers.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -16,6 +18,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <string>
 #include <type_traits>
 
 namespace CGAL {
@@ -32,7 +35,8 @@ enum class Triangle_mesh_status {
   ISOLATED_VERTEX,     ///< `vertex` has no edge
   NON_MANIFOLD_VERTEX, ///< the faces at `vertex` form more than one fan
   ZERO_LENGTH_EDGE,    ///< the two ends of `halfedge` coincide
-  ZERO_AREA_FACE       ///< the corners of `face` are collinear, exactly
+  ZERO_AREA_FACE,      ///< the corners of `face` are collinear, exactly
+  INTERRUPTED          ///< the visitor asked to stop
 };
 
 /// \ingroup PkgTSplinesCrossField
@@ -49,6 +53,7 @@ inline const char* message(const Triangle_mesh_status status)
   case Triangle_mesh_status::NON_MANIFOLD_VERTEX: return "the faces at a vertex form more than one fan";
   case Triangle_mesh_status::ZERO_LENGTH_EDGE: return "an edge has length zero";
   case Triangle_mesh_status::ZERO_AREA_FACE: return "a face has area zero";
+  case Triangle_mesh_status::INTERRUPTED: return "interrupted by the visitor";
   }
   return "";
 }
@@ -67,7 +72,47 @@ struct Triangle_mesh_report {
 
   /// returns whether `status` tells of success.
   bool success() const { return status == Triangle_mesh_status::VALID; }
+  /// converts to `true` upon success.
+  explicit operator bool() const { return success(); }
 };
+
+/// \ingroup PkgTSplinesCrossField
+/// returns what `report` says, which element has the defect, counted from 0, and what can be done about it. Complexity:
+/// linear in the size of the mesh.
+template <typename TriangleMesh>
+std::string describe(const Triangle_mesh_report<TriangleMesh>& report, const TriangleMesh& mesh)
+{
+  using Status = Triangle_mesh_status;
+  std::string text = message(report.status);
+  switch (report.status) {
+  case Status::VALID:
+  case Status::INTERRUPTED: break;
+  case Status::EMPTY: text += ": it needs at least four"; break;
+  case Status::NOT_TRIANGULATED:
+    text += ": " + internal::face_in_words(report.face, mesh) + ", counted from 0; triangulate the mesh first";
+    break;
+  case Status::NON_FINITE_POINT:
+    text += ": " + internal::vertex_in_words(report.vertex, mesh) + ", counted from 0; correct it";
+    break;
+  case Status::BORDER:
+    text += ": " + internal::edge_in_words(report.halfedge, mesh) + ", counted from 0; fill the holes first";
+    break;
+  case Status::ISOLATED_VERTEX:
+    text += ": " + internal::vertex_in_words(report.vertex, mesh) + ", counted from 0; remove it";
+    break;
+  case Status::NON_MANIFOLD_VERTEX:
+    text += ": " + internal::vertex_in_words(report.vertex, mesh) + ", counted from 0; make it one vertex for each fan";
+    break;
+  case Status::ZERO_LENGTH_EDGE:
+    text += ": " + internal::edge_in_words(report.halfedge, mesh) + ", counted from 0; collapse it";
+    break;
+  case Status::ZERO_AREA_FACE:
+    text += ": " + internal::face_in_words(report.face, mesh) +
+            ", counted from 0; remove it by collapsing or flipping an edge of it";
+    break;
+  }
+  return text;
+}
 
 namespace internal {
 
@@ -94,7 +139,8 @@ int size_of_fan(const typename boost::graph_traits<TriangleMesh>::vertex_descrip
 }
 
 template <typename TriangleMesh>
-Triangle_mesh_report<TriangleMesh> check_mesh_connectivity(const TriangleMesh& mesh, const bool is_border_allowed)
+Triangle_mesh_report<TriangleMesh> check_mesh_connectivity(const TriangleMesh& mesh, const bool is_border_allowed,
+                                                           Progress& progress)
 {
   using Traits = boost::graph_traits<TriangleMesh>;
   using Vertex_counts = typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<int>>::const_type;
@@ -106,6 +152,8 @@ Triangle_mesh_report<TriangleMesh> check_mesh_connectivity(const TriangleMesh& m
   if (faces(mesh).begin() == faces(mesh).end())
     return fail(Triangle_mesh_status::EMPTY);
   for (const typename Traits::face_descriptor f : faces(mesh)) {
+    if (!progress.go_on_after(1))
+      return fail(Triangle_mesh_status::INTERRUPTED);
     if (!CGAL::is_triangle(halfedge(f, mesh), mesh)) {
       report.face = f;
       return fail(Triangle_mesh_status::NOT_TRIANGULATED);
@@ -118,6 +166,8 @@ Triangle_mesh_report<TriangleMesh> check_mesh_connectivity(const TriangleMesh& m
     put(border_degree, v, 0);
   }
   for (const typename Traits::halfedge_descriptor h : halfedges(mesh)) {
+    if (!progress.go_on_after(1))
+      return fail(Triangle_mesh_status::INTERRUPTED);
     const typename Traits::vertex_descriptor v = target(h, mesh);
     put(degree, v, get(degree, v) + 1);
     if (!is_border(h, mesh))
@@ -129,6 +179,8 @@ Triangle_mesh_report<TriangleMesh> check_mesh_connectivity(const TriangleMesh& m
     }
   }
   for (const typename Traits::vertex_descriptor v : vertices(mesh)) {
+    if (!progress.go_on_after(2))
+      return fail(Triangle_mesh_status::INTERRUPTED);
     const int degree_of_fan = get(degree, v) > 0 ? size_of_fan<TriangleMesh>(v, mesh) : 0;
     if (degree_of_fan == get(degree, v) && degree_of_fan > 0 && get(border_degree, v) <= 1)
       continue;
@@ -140,7 +192,7 @@ Triangle_mesh_report<TriangleMesh> check_mesh_connectivity(const TriangleMesh& m
 
 template <typename TriangleMesh, typename VertexPointMap, typename GeomTraits>
 Triangle_mesh_report<TriangleMesh> check_mesh_geometry(const TriangleMesh& mesh, const VertexPointMap& points,
-                                                       const GeomTraits& traits)
+                                                       const GeomTraits& traits, Progress& progress)
 {
   using Traits = boost::graph_traits<TriangleMesh>;
   Triangle_mesh_report<TriangleMesh> report;
@@ -149,6 +201,8 @@ Triangle_mesh_report<TriangleMesh> check_mesh_geometry(const TriangleMesh& mesh,
     return report;
   };
   for (const typename Traits::vertex_descriptor v : vertices(mesh)) {
+    if (!progress.go_on_after(1))
+      return fail(Triangle_mesh_status::INTERRUPTED);
     const auto& p = get(points, v);
     if (!std::isfinite(CGAL::to_double(p.x())) || !std::isfinite(CGAL::to_double(p.y())) ||
         !std::isfinite(CGAL::to_double(p.z()))) {
@@ -157,12 +211,16 @@ Triangle_mesh_report<TriangleMesh> check_mesh_geometry(const TriangleMesh& mesh,
     }
   }
   for (const typename Traits::edge_descriptor e : edges(mesh)) {
+    if (!progress.go_on_after(1))
+      return fail(Triangle_mesh_status::INTERRUPTED);
     if (get(points, source(e, mesh)) == get(points, target(e, mesh))) {
       report.halfedge = halfedge(e, mesh);
       return fail(Triangle_mesh_status::ZERO_LENGTH_EDGE);
     }
   }
   for (const typename Traits::face_descriptor f : faces(mesh)) {
+    if (!progress.go_on_after(4))
+      return fail(Triangle_mesh_status::INTERRUPTED);
     const typename Traits::halfedge_descriptor h = halfedge(f, mesh);
     if (are_collinear(traits, get(points, source(h, mesh)), get(points, target(h, mesh)),
                       get(points, target(next(h, mesh), mesh)))) {
@@ -171,6 +229,25 @@ Triangle_mesh_report<TriangleMesh> check_mesh_geometry(const TriangleMesh& mesh,
     }
   }
   return report;
+}
+
+// What `check_triangle_mesh()` does; no stage is begun.
+template <typename TriangleMesh, typename NamedParameters>
+Triangle_mesh_report<TriangleMesh> triangle_mesh_report(const TriangleMesh& mesh, const bool is_border_allowed,
+                                                        const NamedParameters& np, Progress& progress)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using GeomTraits = typename CGAL::GetGeomTraits<TriangleMesh, NamedParameters>::type;
+  const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                       get_const_property_map(CGAL::vertex_point, mesh));
+  const auto traits = choose_parameter<GeomTraits>(get_parameter(np, CGAL::internal_np::geom_traits));
+  Triangle_mesh_report<TriangleMesh> report;
+  if (!progress.go_on())
+    report.status = Triangle_mesh_status::INTERRUPTED;
+  else
+    report = check_mesh_connectivity(mesh, is_border_allowed, progress);
+  return report.success() ? check_mesh_geometry(mesh, points, traits, progress) : report;
 }
 
 } // namespace internal
@@ -202,6 +279,11 @@ Triangle_mesh_report<TriangleMesh> check_mesh_geometry(const TriangleMesh& mesh,
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the first defect found, and the element that has it.
@@ -213,13 +295,11 @@ Triangle_mesh_report<TriangleMesh> check_triangle_mesh(const TriangleMesh& mesh,
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using GeomTraits = typename CGAL::GetGeomTraits<TriangleMesh, NamedParameters>::type;
-  const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                       get_const_property_map(CGAL::vertex_point, mesh));
-  const auto traits = choose_parameter<GeomTraits>(get_parameter(np, CGAL::internal_np::geom_traits));
   const bool is_border_allowed = choose_parameter(get_parameter(np, np_tags::border_is_allowed), false);
-  const Triangle_mesh_report<TriangleMesh> report = internal::check_mesh_connectivity(mesh, is_border_allowed);
-  return report.success() ? internal::check_mesh_geometry(mesh, points, traits) : report;
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("mesh check");
+  return internal::triangle_mesh_report(mesh, is_border_allowed, np, progress);
 }
 
 } // namespace T_splines

@@ -9,8 +9,8 @@
 #include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
 #include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
 #include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
-#include <CGAL/T_splines/Progress_visitor.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -19,6 +19,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cmath>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -60,7 +61,18 @@ struct Smooth_cross_field_report {
 
   /// returns whether `status` tells of success.
   bool success() const { return status == Smooth_cross_field_status::COMPUTED; }
+  /// converts to `true` upon success.
+  explicit operator bool() const { return success(); }
 };
+
+/// \ingroup PkgTSplinesCrossField
+/// returns what `report` says; of a mesh that is refused, why. Complexity: linear in the size of the mesh.
+template <typename TriangleMesh>
+std::string describe(const Smooth_cross_field_report<TriangleMesh>& report, const TriangleMesh& mesh)
+{
+  return report.status == Smooth_cross_field_status::INVALID_MESH ? describe(report.mesh, mesh)
+                                                                  : message(report.status);
+}
 
 namespace internal {
 
@@ -198,14 +210,19 @@ compute_smooth_cross_field(const TriangleMesh& mesh, CrossFieldMap cross_field,
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("cross field");
   Smooth_cross_field_report<TriangleMesh> report;
-  report.mesh = check_triangle_mesh(mesh, T_splines::parameters::border_is_allowed(true, np));
+  report.mesh = internal::triangle_mesh_report(mesh, true, np, progress);
+  if (progress.is_interrupted()) {
+    report.status = Smooth_cross_field_status::INTERRUPTED;
+    return report;
+  }
   if (!report.mesh.success()) {
     report.status = Smooth_cross_field_status::INVALID_MESH;
     return report;
   }
-  const auto visitor = choose_parameter<Progress_visitor>(get_parameter(np, CGAL::internal_np::visitor));
-  visitor.begin_stage("cross field");
   const internal::Mesh_indexing<TriangleMesh> indexing(mesh);
   const internal::Triangulation_connectivity connectivity = internal::triangulation_connectivity(indexing);
   const internal::Triangle_geometry geometry =
@@ -213,8 +230,9 @@ compute_smooth_cross_field(const TriangleMesh& mesh, CrossFieldMap cross_field,
                                   choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                                    get_const_property_map(CGAL::vertex_point, mesh)));
   const internal::Smooth_field_options options = internal::smooth_field_options(indexing, np);
-  internal::Smooth_field_computation computation(connectivity, geometry, options);
-  if (!computation.compute(internal::mesh_components(connectivity), visitor))
+  progress.go_on();
+  internal::Smooth_field_computation computation(connectivity, geometry, options, progress);
+  if (!computation.compute(internal::mesh_components(connectivity)))
     report.status = Smooth_cross_field_status::INTERRUPTED;
   else {
     report.number_of_singularities = computation.number_of_singularities();

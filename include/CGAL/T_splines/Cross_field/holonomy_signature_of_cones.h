@@ -9,8 +9,11 @@
 #include <CGAL/T_splines/Cross_field/internal/Closed_mesh.h>
 #include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
 #include <CGAL/T_splines/Cross_field/internal/strip_turning.h>
+#include <CGAL/T_splines/internal/graph_checks.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -19,6 +22,7 @@
 #include <cstddef>
 #include <type_traits>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -26,18 +30,25 @@ namespace T_splines {
 namespace internal {
 
 template <typename TriangleMesh, typename ConeRange>
-void set_cones(const ConeRange& cones, Holonomy_signature<TriangleMesh>& signature,
+void set_cones(const ConeRange& cones, const TriangleMesh& mesh, Holonomy_signature<TriangleMesh>& signature,
                Holonomy_signature_report<TriangleMesh>& report)
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  std::unordered_set<vertex_descriptor> vertices;
+  Claimed_descriptors<vertex_descriptor> claimed;
+  for (const auto& cone : cones)
+    if (cone.first != boost::graph_traits<TriangleMesh>::null_vertex())
+      claimed.insert(cone.first);
+  claimed.find_in(CGAL::make_range(vertices(mesh)));
+  std::unordered_set<vertex_descriptor> known;
   report.index = 0;
   for (const auto& [vertex, k] : cones) {
     report.vertex = vertex;
     report.actual = k;
     if (vertex == boost::graph_traits<TriangleMesh>::null_vertex())
       report.status = Holonomy_signature_status::NULL_VERTEX;
-    else if (!vertices.insert(vertex).second)
+    else if (claimed.is_foreign(vertex))
+      report.status = Holonomy_signature_status::FOREIGN_VERTEX;
+    else if (!known.insert(vertex).second)
       report.status = Holonomy_signature_status::DUPLICATE_CONE;
     else if (k < 1)
       report.status = Holonomy_signature_status::NON_POSITIVE_CONE;
@@ -49,11 +60,13 @@ void set_cones(const ConeRange& cones, Holonomy_signature<TriangleMesh>& signatu
 }
 
 template <typename TriangleMesh, typename NamedParameters>
-void add_loops(const Closed_mesh<TriangleMesh>& mesh, const NamedParameters& np,
+void add_loops(const Closed_mesh<TriangleMesh>& mesh, const NamedParameters& np, Progress& progress,
                Holonomy_signature<TriangleMesh>& signature, Holonomy_signature_report<TriangleMesh>& report)
 {
   const auto turning_numbers = CGAL::parameters::get_parameter(np, np_tags::loop_turning_numbers);
-  const std::vector<std::vector<int>> loops = mesh.short_loops();
+  const std::vector<std::vector<int>> loops = mesh.short_loops(progress);
+  if (progress.is_interrupted())
+    return;
   for (const std::vector<int>& strip : loops) {
     const double turning = strip_turning(mesh.m_connectivity, strip, mesh.m_geometry.m_corner_angle);
     signature.add_loop(mesh.halfedges_of(strip), static_cast<int>(std::round(turning / quarter_turn)));
@@ -85,7 +98,8 @@ void add_loops(const Closed_mesh<TriangleMesh>& mesh, const NamedParameters& np,
 /// \param mesh a closed triangle mesh, as `check_triangle_mesh()` demands
 /// \param cones the cones; for each connected component, 4 - k sums up to four times its Euler characteristic
 /// \param signature is cleared and filled with the cones and 2g short loops per component; its contents are meaningful
-///        upon success, its loops also with the status WRONG_NUMBER_OF_TURNS
+///        upon success, its loops also with the status WRONG_NUMBER_OF_TURNS. It stays what it was if the status is
+///        INTERRUPTED
 /// \param np an optional sequence of named parameters among these:
 ///
 /// \cgalNamedParamsBegin
@@ -106,11 +120,15 @@ void add_loops(const Closed_mesh<TriangleMesh>& mesh, const NamedParameters& np,
 ///     \cgalParamDefault{those nearest to the turning of the loops in the metric of the mesh}
 ///     \cgalParamExtra{The loops of a mesh are always the same, and in the same order.}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the status INVALID_MESH, NULL_VERTEX, DUPLICATE_CONE, NON_POSITIVE_CONE, GAUSS_BONNET_VIOLATED,
-///         WRONG_NUMBER_OF_TURNS or VALID.
-///
+///         WRONG_NUMBER_OF_TURNS, INTERRUPTED or VALID.
 /// Complexity: O(n log n) in the number of faces.
 template <typename TriangleMesh, typename ConeRange,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -119,20 +137,26 @@ holonomy_signature_of_cones(const TriangleMesh& mesh, const ConeRange& cones,
                             Holonomy_signature<TriangleMesh>& signature,
                             const NamedParameters& np = CGAL::parameters::default_values())
 {
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("holonomy signature");
   Holonomy_signature_report<TriangleMesh> report;
-  signature.clear();
-  report.mesh = internal::check_closed_mesh(mesh, np);
-  if (!report.mesh.success()) {
+  Holonomy_signature<TriangleMesh> result;
+  report.mesh = internal::check_closed_mesh(mesh, np, progress);
+  if (!report.mesh.success())
     report.status = Holonomy_signature_status::INVALID_MESH;
-    return report;
+  else
+    internal::set_cones(cones, mesh, result, report);
+  if (report.success() && progress.go_on()) {
+    const internal::Closed_mesh<TriangleMesh> closed_mesh(mesh, np);
+    closed_mesh.check_cones(result, report);
+    if (report.success() && progress.go_on())
+      internal::add_loops(closed_mesh, np, progress, result, report);
   }
-  internal::set_cones(cones, signature, report);
-  if (!report.success())
-    return report;
-  const internal::Closed_mesh<TriangleMesh> closed_mesh(mesh, np);
-  closed_mesh.check_cones(signature, report);
-  if (report.success())
-    internal::add_loops(closed_mesh, np, signature, report);
+  if (progress.is_interrupted())
+    report.status = Holonomy_signature_status::INTERRUPTED;
+  else
+    signature = std::move(result);
   return report;
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Cross_field/internal/Closed_mesh.h>
 #include <CGAL/T_splines/Cross_field/internal/cross_angles.h>
 #include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -41,7 +42,7 @@ std::vector<double> matched_rotations(const Closed_mesh<TriangleMesh>& mesh, con
 
 template <typename TriangleMesh>
 void signature_of_rotations(const Closed_mesh<TriangleMesh>& mesh, const std::vector<double>& rotation,
-                            Holonomy_signature<TriangleMesh>& signature,
+                            Progress& progress, Holonomy_signature<TriangleMesh>& signature,
                             Holonomy_signature_report<TriangleMesh>& report)
 {
   const std::vector<double>& corner_angle = mesh.m_geometry.m_corner_angle;
@@ -55,8 +56,13 @@ void signature_of_rotations(const Closed_mesh<TriangleMesh>& mesh, const std::ve
     }
     signature.set_quarter_turns(mesh.m_indexing.vertex(v), k);
   }
-  for (const std::vector<int>& strip : mesh.short_loops()) {
+  progress.progress(0.3);
+  if (!progress.go_on())
+    return;
+  for (const std::vector<int>& strip : mesh.short_loops(progress)) {
     int k = 0;
+    if (!progress.go_on_after(strip.size()))
+      return;
     if (!round_turns(strip_quarter_turns(mesh.m_connectivity, strip, corner_angle, rotation), k, report.deviation)) {
       report.status = Holonomy_signature_status::LOOP_NOT_INTEGER;
       report.index = signature.loops().size();
@@ -64,7 +70,8 @@ void signature_of_rotations(const Closed_mesh<TriangleMesh>& mesh, const std::ve
     }
     signature.add_loop(mesh.halfedges_of(strip), k);
   }
-  mesh.check_cones(signature, report);
+  if (!progress.is_interrupted())
+    mesh.check_cones(signature, report);
 }
 
 } // namespace internal
@@ -81,7 +88,8 @@ void signature_of_rotations(const Closed_mesh<TriangleMesh>& mesh, const std::ve
 /// \param mesh a closed triangle mesh, as `check_triangle_mesh()` demands
 /// \param cross_field one of the four directions of the cross in each face; its length and its component normal to the
 ///        face do not matter
-/// \param signature is cleared and filled; its contents are meaningful only upon success
+/// \param signature is cleared and filled; its contents are meaningful only upon success. It stays what it was if the
+///        status is INTERRUPTED
 /// \param np an optional sequence of named parameters among these:
 ///
 /// \cgalNamedParamsBegin
@@ -104,11 +112,16 @@ void signature_of_rotations(const Closed_mesh<TriangleMesh>& mesh, const std::ve
 ///       integer}
 ///     \cgalParamDefault{none: the closest rotation decides}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the status INVALID_MESH, INVALID_FIELD, VERTEX_NOT_INTEGER, LOOP_NOT_INTEGER, NON_POSITIVE_CONE (a field that turns
-///         by a full turn or more at a vertex), GAUSS_BONNET_VIOLATED (impossible without given matchings) or VALID.
-///
+///         by a full turn or more at a vertex), GAUSS_BONNET_VIOLATED (impossible without given matchings), INTERRUPTED
+///         or VALID.
 /// Complexity: O(n log n) in the number of faces.
 template <typename TriangleMesh, typename CrossFieldMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -117,10 +130,17 @@ holonomy_signature_of_cross_field(const TriangleMesh& mesh, const CrossFieldMap&
                                   Holonomy_signature<TriangleMesh>& signature,
                                   const NamedParameters& np = CGAL::parameters::default_values())
 {
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("holonomy signature");
   Holonomy_signature_report<TriangleMesh> report;
-  signature.clear();
-  report.mesh = internal::check_closed_mesh(mesh, np);
+  report.mesh = internal::check_closed_mesh(mesh, np, progress);
+  if (progress.is_interrupted()) {
+    report.status = Holonomy_signature_status::INTERRUPTED;
+    return report;
+  }
   if (!report.mesh.success()) {
+    signature.clear();
     report.status = Holonomy_signature_status::INVALID_MESH;
     return report;
   }
@@ -129,12 +149,19 @@ holonomy_signature_of_cross_field(const TriangleMesh& mesh, const CrossFieldMap&
   const int face_without_direction = internal::cross_angles(closed_mesh.m_indexing, closed_mesh.m_connectivity,
                                                             closed_mesh.m_geometry, cross_field, angle);
   if (face_without_direction != internal::Triangulation_connectivity::null) {
+    signature.clear();
     report.status = Holonomy_signature_status::INVALID_FIELD;
     report.face = closed_mesh.m_indexing.face(face_without_direction);
     return report;
   }
   const std::vector<double> rotation = internal::matched_rotations(closed_mesh, angle, np);
-  internal::signature_of_rotations(closed_mesh, rotation, signature, report);
+  Holonomy_signature<TriangleMesh> result;
+  if (progress.go_on())
+    internal::signature_of_rotations(closed_mesh, rotation, progress, result, report);
+  if (progress.is_interrupted())
+    report.status = Holonomy_signature_status::INTERRUPTED;
+  else
+    signature = std::move(result);
   return report;
 }
 

@@ -13,8 +13,9 @@
 #include <CGAL/T_splines/Cross_field/internal/Scale_energy.h>
 #include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
 #include <CGAL/T_splines/Cross_field/internal/split_targets.h>
-#include <CGAL/T_splines/Progress_visitor.h>
 #include <CGAL/T_splines/Solver/default_solver.h>
+#include <CGAL/T_splines/defaults.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -29,16 +30,6 @@
 namespace CGAL {
 namespace T_splines {
 namespace internal {
-
-/// How much a merge may raise the energy where nothing else is asked for.
-///
-/// Each cone costs about fifty control points of a surface within 0.5 %, and each merge makes the map's scale vary more.
-/// Of 3, 4, 5, 6 and 9, these limits led to the fewest control points on 25 meshes. A sphere keeps eight cones whatever the
-/// limit is; on a torus higher limits take away the last cones, and thin parts are sheared.
-inline double default_energy_change(const int genus)
-{
-  return genus == 0 ? 6 : genus == 1 ? 3 : 4;
-}
 
 template <typename NamedParameters>
 Cone_reduction_limits cone_reduction_limits(const Mesh_components& components, const NamedParameters& np)
@@ -74,7 +65,8 @@ std::vector<std::vector<int>> strips_of(const Mesh_indexing<TriangleMesh>& index
 
 /// Where quarter turns of cones may go that have fewer than 3 or more than 6.
 template <typename TriangleMesh>
-std::vector<int> split_targets(const Closed_mesh<TriangleMesh>& mesh, const Holonomy_signature<TriangleMesh>& signature)
+std::vector<int> split_targets(const Closed_mesh<TriangleMesh>& mesh, const Holonomy_signature<TriangleMesh>& signature,
+                               Progress& progress)
 {
   std::vector<int> cones;
   for (const auto& [v, k] : signature.cones())
@@ -86,13 +78,14 @@ std::vector<int> split_targets(const Closed_mesh<TriangleMesh>& mesh, const Holo
   // Each of them costs a solve.
   const std::size_t most = std::clamp<std::size_t>(20'000'000 / mesh.m_connectivity.number_of_vertices(), 16, 400);
   return split_targets(mesh.m_connectivity, mesh.m_geometry, mesh.m_components, cones,
-                       disk_radii(mesh.m_geometry, mesh.m_components), most);
+                       disk_radii(mesh.m_geometry, mesh.m_components), most, progress);
 }
 
-/// reduces with computed energies and writes the signature and the report.
+/// reduces with computed energies and writes the signature and the report; the signature stays what it was if `progress`
+/// is interrupted.
 template <typename TriangleMesh, typename ScaleEnergy>
 void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& energy, const std::vector<int>& vertices,
-                  const std::vector<std::vector<int>>& strips, const Cone_reduction_limits& limits,
+                  const std::vector<std::vector<int>>& strips, const Cone_reduction_limits& limits, Progress& progress,
                   Holonomy_signature<TriangleMesh>& signature, Cone_reduction_report<TriangleMesh>& report)
 {
   Cones_and_loops numbers;
@@ -102,8 +95,8 @@ void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& ener
   }
   for (const auto& loop : signature.loops())
     numbers.loop_quarter_turns.push_back(loop.quarter_turns);
-  Cone_paths paths(mesh.m_connectivity, mesh.m_geometry.m_edge_length, vertices, strips);
-  Cone_reduction<ScaleEnergy, Cone_paths> reduction(energy, paths, numbers);
+  Cone_paths paths(mesh.m_connectivity, mesh.m_geometry.m_edge_length, vertices, strips, progress);
+  Cone_reduction<ScaleEnergy, Cone_paths> reduction(energy, paths, numbers, progress);
   report.number_of_cones_before = reduction.number_of_cones();
   report.energy_before = reduction.energy();
   report.number_of_loop_turns = reduction.straighten_loops();
@@ -111,6 +104,8 @@ void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& ener
   for (int turns = 1; turns > 0; report.number_of_loop_turns += turns) {
     reduction.reduce(limits);
     turns = reduction.straighten_loops();
+    if (progress.is_interrupted())
+      return;
   }
   report.number_of_cones = reduction.number_of_cones();
   report.number_of_merges = static_cast<int>(reduction.merges().size());
@@ -151,7 +146,8 @@ void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& ener
 /// others from two upwards are made, and if need be from one upwards.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param mesh a closed triangle mesh, of one or more components
-/// \param signature an admissible signature of `mesh`; it is changed if the status is REDUCED or LIMIT_UNREACHABLE
+/// \param signature an admissible signature of `mesh`; it is changed if the status is REDUCED or LIMIT_UNREACHABLE, and
+///        stays what it was otherwise
 /// \param np an optional sequence of named parameters among these:
 ///
 /// \cgalNamedParamsBegin
@@ -203,37 +199,49 @@ template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::De
 Cone_reduction_report<TriangleMesh> reduce_cones(const TriangleMesh& mesh, Holonomy_signature<TriangleMesh>& signature,
                                                  const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("cone reduction");
   Cone_reduction_report<TriangleMesh> report;
-  report.signature = check_holonomy_signature(mesh, signature, np);
+  {
+    const internal::Progress::Part part(progress, 0, 0.1);
+    report.signature = internal::holonomy_signature_report(mesh, signature, np, progress);
+  }
+  if (progress.is_interrupted()) {
+    report.status = Cone_reduction_status::INTERRUPTED;
+    return report;
+  }
   if (!report.signature.success()) {
     report.status = report.signature.mesh.success() ? Cone_reduction_status::INVALID_SIGNATURE
                                                     : Cone_reduction_status::INVALID_MESH;
     return report;
   }
-  const auto visitor = choose_parameter<Progress_visitor>(get_parameter(np, CGAL::internal_np::visitor));
-  visitor.begin_stage("cone reduction");
   const internal::Closed_mesh<TriangleMesh> closed_mesh(mesh, np);
   std::vector<int> vertices;
   for (const auto& cone : signature.cones())
     vertices.push_back(closed_mesh.m_indexing.vertex_index(cone.first));
-  for (const int v : internal::split_targets(closed_mesh, signature))
+  for (const int v : internal::split_targets(closed_mesh, signature, progress))
     vertices.push_back(v);
   std::sort(vertices.begin(), vertices.end()); // the order in which cones were set must not matter
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   const std::vector<std::vector<int>> strips = internal::strips_of(closed_mesh.m_indexing, signature);
   auto&& solver = internal::sparse_linear_solver(np);
   internal::Scale_energy<std::remove_reference_t<decltype(solver)>> energy(
-      closed_mesh.m_connectivity, closed_mesh.m_geometry, closed_mesh.m_components, strips, solver);
-  bool is_interrupted = false;
-  if (!energy.compute(vertices, visitor, is_interrupted))
-    report.status = Cone_reduction_status::SOLVER_FAILED;
-  else if (is_interrupted)
-    report.status = Cone_reduction_status::INTERRUPTED;
-  else
+      closed_mesh.m_connectivity, closed_mesh.m_geometry, closed_mesh.m_components, strips, solver, progress);
+  bool is_computed = false;
+  {
+    const internal::Progress::Part part(progress, 0.1, 0.5);
+    is_computed = energy.compute(vertices, progress);
+  }
+  if (is_computed) {
+    const internal::Progress::Part part(progress, 0.5, 1);
     internal::reduce_cones(closed_mesh, energy, vertices, strips,
-                           internal::cone_reduction_limits(closed_mesh.m_components, np), signature, report);
+                           internal::cone_reduction_limits(closed_mesh.m_components, np), progress, signature, report);
+  }
+  if (progress.is_interrupted())
+    report.status = Cone_reduction_status::INTERRUPTED;
+  else if (!is_computed)
+    report.status = Cone_reduction_status::SOLVER_FAILED;
   return report;
 }
 

@@ -16,6 +16,7 @@ namespace T_splines {
 /// How the reading of a mesh file ended.
 enum class Mesh_reading_status {
   SUCCESS,                  ///< the mesh was read
+  OUTPUT_NOT_EMPTY,         ///< the mesh to write has elements, or removed ones; nothing was read
   CANNOT_OPEN,              ///< there is no such file, or it may not be read
   UNKNOWN_FORMAT,           ///< the file name does not end in one of the known extensions
   UNSUPPORTED_VARIANT,      ///< the format has variants that this reader does not read, and this is one
@@ -36,7 +37,8 @@ enum class Mesh_reading_status {
   BOUNDARY,                 ///< an edge belongs to one face only
   ZERO_LENGTH_EDGE,         ///< the two ends of an edge are the same point
   ZERO_AREA_TRIANGLE,       ///< the corners of a triangle are exactly collinear
-  MISSING_UV                ///< a corner of a face has no texture coordinates (maps only)
+  MISSING_UV,               ///< a corner of a face has no texture coordinates (maps only)
+  INTERRUPTED               ///< the visitor asked to stop
 };
 
 /// \ingroup PkgTSplinesIO
@@ -45,6 +47,8 @@ inline const char* message(const Mesh_reading_status status)
 {
   switch (status) {
   case Mesh_reading_status::SUCCESS: return "the mesh was read";
+  case Mesh_reading_status::OUTPUT_NOT_EMPTY:
+    return "the mesh that receives the content of the file is not empty; give a new one";
   case Mesh_reading_status::CANNOT_OPEN: return "the file cannot be opened for reading";
   case Mesh_reading_status::UNKNOWN_FORMAT:
     return "the file format is not known; meshes are read from .off, .obj, .ply and .stl";
@@ -69,15 +73,10 @@ inline const char* message(const Mesh_reading_status status)
   case Mesh_reading_status::ZERO_LENGTH_EDGE: return "an edge has length zero";
   case Mesh_reading_status::ZERO_AREA_TRIANGLE: return "a triangle has area zero: its corners are exactly collinear";
   case Mesh_reading_status::MISSING_UV: return "a corner has no texture coordinates";
+  case Mesh_reading_status::INTERRUPTED: return "interrupted by the visitor";
   }
   return "";
 }
-
-/// \ingroup PkgTSplinesIO
-/// The default distance up to which ends of boundary edges are taken for the same point, relative to the longest side of
-/// the bounding box: eight units in the last place of a coordinate of that size in a file with `float` numbers, and far
-/// below what the tolerance of a surface is.
-constexpr double default_merge_distance = 1e-6;
 
 /// \ingroup PkgTSplinesIO
 /// What a repair changed.
@@ -127,6 +126,8 @@ struct Mesh_reading_report {
 
   /// returns whether `status` tells of success.
   bool success() const { return status == Mesh_reading_status::SUCCESS; }
+  /// converts to `true` upon success.
+  explicit operator bool() const { return success(); }
 };
 
 namespace internal {

@@ -16,8 +16,9 @@ namespace T_splines {
 /// How the reading of a T-mesh file ended.
 enum class T_mesh_reading_status {
   SUCCESS,                 ///< the T-mesh was read
+  OUTPUT_NOT_EMPTY,        ///< the T-mesh to write has elements, or removed ones; nothing was read
   CANNOT_OPEN,             ///< there is no such file, or it may not be read
-  UNSUPPORTED_VARIANT,     ///< a PLY file, but not made of text, or with other elements than a T-mesh has
+  UNSUPPORTED_VARIANT,     ///< a PLY file of a format or version that is not known
   EMPTY,                   ///< the file has no faces, or nothing at all
   TRUNCATED,               ///< the file ends before everything that it announces has come
   SYNTAX_ERROR,            ///< `text` is not what the format asks for at its place
@@ -32,7 +33,8 @@ enum class T_mesh_reading_status {
   ISOLATED_VERTEX,         ///< a vertex belongs to no face
   NON_MANIFOLD_VERTEX,     ///< the faces at a vertex form more than one fan
   UNEQUAL_SIDES,           ///< the knot intervals on opposite sides of a face have different sums
-  CYCLE_CONDITION          ///< the ratios of the knot intervals around a vertex do not multiply to one
+  CYCLE_CONDITION,         ///< the ratios of the knot intervals around a vertex do not multiply to one
+  INTERRUPTED              ///< the visitor asked to stop
 };
 
 /// \ingroup PkgTSplinesIO
@@ -42,6 +44,7 @@ inline const char* message(const T_mesh_reading_status status)
   using Status = T_mesh_reading_status;
   switch (status) {
   case Status::SUCCESS: return "the T-mesh was read";
+  case Status::OUTPUT_NOT_EMPTY: return "the T-mesh that receives the content of the file is not empty; give a new one";
   case Status::CANNOT_OPEN: return "the file cannot be opened for reading";
   case Status::UNSUPPORTED_VARIANT: return "this variant of PLY is not supported";
   case Status::EMPTY: return "the file has no faces";
@@ -62,6 +65,7 @@ inline const char* message(const T_mesh_reading_status status)
     return "the knot intervals are not admissible: opposite sides of a face have different sums";
   case Status::CYCLE_CONDITION:
     return "the knot intervals are not admissible: their ratios around a vertex do not multiply to one";
+  case Status::INTERRUPTED: return "interrupted by the visitor";
   }
   return "";
 }
@@ -88,6 +92,8 @@ struct T_mesh_reading_report {
 
   /// returns whether `status` tells of success.
   bool success() const { return status == T_mesh_reading_status::SUCCESS; }
+  /// converts to `true` upon success.
+  explicit operator bool() const { return success(); }
 };
 
 /// \ingroup PkgTSplinesIO

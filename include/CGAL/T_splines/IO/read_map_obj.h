@@ -8,6 +8,8 @@
 #include <CGAL/T_splines/IO/internal/build_triangle_mesh.h>
 #include <CGAL/T_splines/IO/internal/read_triangle_soup.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
+#include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/graph_checks.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -80,7 +82,8 @@ bool is_seam(const typename boost::graph_traits<FaceGraph>::halfedge_descriptor 
 /// \tparam MutableFaceGraph a model of `MutableFaceGraph`
 /// \tparam HalfedgeUVMap a model of `ReadWritePropertyMap`, halfedge -> `Point_2`
 /// \param filename a file with the extension `.obj`
-/// \param mesh an empty mesh that receives vertices and faces in the order of the file; untouched if the file is refused
+/// \param mesh receives vertices and faces in the order of the file; it must be empty, which is checked; untouched if the
+///   file is refused
 /// \param uv_map receives for each halfedge the uv of its *target* on its *face*; not written on border halfedges
 /// \param np an optional sequence of named parameters among these:
 ///
@@ -98,6 +101,11 @@ bool is_seam(const typename boost::graph_traits<FaceGraph>::halfedge_descriptor 
 ///       `bool`}
 ///     \cgalParamDefault{none is written}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return how it ended. Complexity: O(n log n) in the size of the file.
@@ -109,17 +117,20 @@ Mesh_reading_report read_map_obj(const std::string& filename, MutableFaceGraph& 
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using edge_descriptor = typename boost::graph_traits<MutableFaceGraph>::edge_descriptor;
-  CGAL_precondition(num_vertices(mesh) == 0 && num_faces(mesh) == 0);
-
   internal::Polygon_soup soup;
   internal::Triangle_soup triangles;
   Mesh_reading_report report;
-  if (internal::lowercase_extension(filename) != ".obj")
+  if (!internal::is_output_graph(mesh))
+    report.status = Mesh_reading_status::OUTPUT_NOT_EMPTY;
+  else if (internal::lowercase_extension(filename) != ".obj")
     report.status = Mesh_reading_status::UNKNOWN_FORMAT;
   else {
     internal::Mesh_reading_options options;
     options.is_boundary_admitted = true;
-    report = internal::read_triangle_soup(filename, options, soup, triangles);
+    const auto visitor = internal::progress_visitor(np);
+    internal::Progress progress(visitor);
+    progress.begin_stage("reading");
+    report = internal::read_triangle_soup(filename, options, soup, triangles, progress);
   }
   if (report.success()) {
     const Mesh_reading_report uv_report = internal::check_uv_of_corners(soup);

@@ -13,6 +13,8 @@
 #include <CGAL/T_splines/IO/internal/parse_t_mesh_ply.h>
 #include <CGAL/T_splines/IO/internal/read_whole_file.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
+#include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/graph_checks.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -40,15 +42,30 @@ T_mesh_reading_report read_t_mesh_text(const std::string_view content, TMesh& t_
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const T_mesh_view_of<TMesh> view(t_mesh);
-  CGAL_precondition(num_vertices(view.graph()) == 0 && num_faces(view.graph()) == 0);
-
+  if (!is_output_graph(view.graph())) {
+    T_mesh_reading_report report;
+    report.status = T_mesh_reading_status::OUTPUT_NOT_EMPTY;
+    return report;
+  }
+  const auto visitor = progress_visitor(np);
+  Progress progress(visitor);
+  progress.begin_stage("reading");
+  progress.go_on();
   T_mesh_soup soup;
-  const T_mesh_reading_report parsed = T_mesh_ply_parser(content, soup).parse();
+  const T_mesh_reading_report parsed = T_mesh_ply_parser(content, soup, progress).parse();
+  T_mesh_reading_report interrupted;
+  interrupted.status = T_mesh_reading_status::INTERRUPTED;
+  progress.progress(0.5);
+  if (!progress.go_on())
+    return interrupted;
   if (!parsed.success())
     return parsed;
   T_mesh_reading_report report = check_t_mesh_soup(soup);
-  if (report.success())
-    report = check_t_mesh_knots(soup, choose_parameter(get_parameter(np, np_tags::relative_tolerance), 1e-9));
+  if (report.success() && progress.go_on())
+    report = check_t_mesh_knots(soup, choose_parameter(get_parameter(np, np_tags::relative_tolerance), 1e-9), progress);
+  progress.progress(0.9);
+  if (!progress.go_on())
+    return interrupted;
   report.number_of_vertices = parsed.number_of_vertices;
   report.number_of_faces = parsed.number_of_faces;
   if (!report.success())
@@ -70,8 +87,11 @@ T_mesh_reading_report read_t_mesh_text(const std::string_view content, TMesh& t_
 } // namespace internal
 
 /// \ingroup PkgTSplinesIO
-/// reads a T-mesh with halfedge knots from a PLY file made of text, in the format that `write_t_mesh()` describes,
-/// and refuses, naming line and element, everything that is not an admissible T-mesh ([CZ17] section 4).
+/// reads a T-mesh with halfedge knots from a PLY file with the properties that `write_t_mesh()` describes, and refuses,
+/// naming line and element, everything that is not an admissible T-mesh ([CZ17] section 4).
+///
+/// Files that another program has rewritten are read, too: made of text or binary in either byte order, with the
+/// properties in any order and of any type, and with other elements and properties, which are skipped.
 ///
 /// Vertices and faces of `t_mesh` come in the order of the file, and `halfedge(f)` is the first edge of the list of
 /// `f`: so the frames of the faces are those of the T-mesh that was written. The surface may have a border, and the
@@ -102,6 +122,11 @@ T_mesh_reading_report read_t_mesh_text(const std::string_view content, TMesh& t_
 ///     \cgalParamDescription{as for `is_admissible()`}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-9}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

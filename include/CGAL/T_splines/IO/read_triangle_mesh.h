@@ -7,6 +7,9 @@
 #include <CGAL/T_splines/IO/Mesh_reading_report.h>
 #include <CGAL/T_splines/IO/internal/build_triangle_mesh.h>
 #include <CGAL/T_splines/IO/internal/read_triangle_soup.h>
+#include <CGAL/T_splines/defaults.h>
+#include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/graph_checks.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -71,6 +74,11 @@ namespace T_splines {
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return how it ended; never throws but for lack of memory. Complexity: O(n log n) in the size of the file.
@@ -81,12 +89,20 @@ Mesh_reading_report read_triangle_mesh(const std::string& filename, MutableFaceG
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
 
+  if (!internal::is_output_graph(mesh)) {
+    Mesh_reading_report report;
+    report.status = Mesh_reading_status::OUTPUT_NOT_EMPTY;
+    return report;
+  }
   internal::Polygon_soup soup;
   internal::Triangle_soup triangles;
   internal::Mesh_reading_options options;
   options.merge_distance = choose_parameter(get_parameter(np, np_tags::merge_distance), default_merge_distance);
   options.is_repaired = choose_parameter(get_parameter(np, np_tags::repair), false);
-  const Mesh_reading_report report = internal::read_triangle_soup(filename, options, soup, triangles);
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("reading");
+  const Mesh_reading_report report = internal::read_triangle_soup(filename, options, soup, triangles, progress);
   if (report.success())
     internal::build_triangle_mesh(soup, triangles, mesh,
                                   choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),

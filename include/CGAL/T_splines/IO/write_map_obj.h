@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_IO_WRITE_MAP_OBJ_H
 #define CGAL_T_SPLINES_IO_WRITE_MAP_OBJ_H
 
-#include <CGAL/T_splines/IO/internal/Atomic_file.h>
+#include <CGAL/T_splines/IO/Atomic_file.h>
 #include <CGAL/T_splines/IO/internal/Text_writer.h>
 #include <CGAL/T_splines/IO/internal/Uv_vertex_table.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
@@ -14,6 +14,8 @@
 #include <CGAL/number_type_basic.h>
 
 #include <cstddef>
+#include <ios>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -49,16 +51,17 @@ void format_map_obj(Sink& sink, const FaceGraph& mesh, const HalfedgeUVMap uv_ma
 } // namespace internal
 
 /// \ingroup PkgTSplinesIO
-/// writes a mesh with uv per corner to an OBJ file: `v` in the order in which the mesh lists its vertices, one `vt` per
+/// writes a mesh with uv per corner to a stream, in the format of OBJ: `v` in the order in which the mesh
+/// lists its vertices, one `vt` per
 /// distinct uv of a vertex (shared by the corners of a chart), `f` with `v/vt`.
 ///
 /// Every number is written in the shortest way that reads back as the same double, so `read_map_obj()` gives the same map bit
-/// by bit. The file appears under its name only when it is complete and on the disk; if anything fails, nothing is left behind.
+/// by bit.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam HalfedgeUVMap a model of `ReadablePropertyMap`, halfedge -> `Point_2`: the uv of the halfedge's *target* in
 ///   the chart of the halfedge's *face*
-/// \param filename where to write; a file that is there is replaced
+/// \param out receives the file
 /// \param mesh the refined mesh
 /// \param uv_map finite coordinates
 /// \param np an optional sequence of named parameters among these:
@@ -72,20 +75,37 @@ void format_map_obj(Sink& sink, const FaceGraph& mesh, const HalfedgeUVMap uv_ma
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \return `std::io_errc::stream` if the stream failed; converts to `false` if all was written. Complexity: linear.
+template <typename FaceGraph, typename HalfedgeUVMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+std::error_code write_map_obj(std::ostream& out, const FaceGraph& mesh, const HalfedgeUVMap uv_map,
+                              const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto sink = [&out](const std::string_view text) {
+    out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  };
+  internal::format_map_obj(sink, mesh, uv_map,
+                           choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                            get_const_property_map(CGAL::vertex_point, mesh)));
+  return out.good() ? std::error_code() : std::make_error_code(std::io_errc::stream);
+}
+
+/// \ingroup PkgTSplinesIO
+/// writes a mesh with uv per corner to an OBJ file, as the function that writes to a stream.
+///
+/// The file appears under its name only when it is complete and on the disk; if anything fails, nothing is left behind.
+/// \param filename where to write; a file that is there is replaced
+/// \param mesh, uv_map, np see the function that writes to a stream
 /// \return the error of the operating system; converts to `false` if the file was written. Complexity: linear.
 template <typename FaceGraph, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 std::error_code write_map_obj(const std::string& filename, const FaceGraph& mesh, const HalfedgeUVMap uv_map,
                               const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-
-  internal::Atomic_file file(filename);
-  const auto sink = [&file](const std::string_view text) { file.write(text); };
-  internal::format_map_obj(sink, mesh, uv_map,
-                           choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                            get_const_property_map(CGAL::vertex_point, mesh)));
+  Atomic_file file(filename);
+  write_map_obj(file.stream(), mesh, uv_map, np);
   file.finish() && file.commit();
   return std::error_code(file.error(), std::generic_category());
 }

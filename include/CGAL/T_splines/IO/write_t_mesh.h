@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_IO_WRITE_T_MESH_H
 #define CGAL_T_SPLINES_IO_WRITE_T_MESH_H
 
-#include <CGAL/T_splines/IO/internal/Atomic_file.h>
+#include <CGAL/T_splines/IO/Atomic_file.h>
 #include <CGAL/T_splines/IO/internal/Text_writer.h>
 #include <CGAL/T_splines/IO/internal/own_weights.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
@@ -17,6 +17,7 @@
 #include <CGAL/number_type_basic.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <ios>
 #include <iterator>
@@ -81,14 +82,16 @@ private:
   std::vector<halfedge_descriptor> m_first_halfedges;
 };
 
+/// \param longest_list decides of what type the lengths of the lists are: some programs read only those of one byte
 template <typename Writer>
-void format_t_mesh_header(Writer& writer, const std::size_t number_of_vertices, const std::size_t number_of_faces)
+void format_t_mesh_header(Writer& writer, const std::size_t number_of_vertices, const std::size_t number_of_faces,
+                          const std::size_t longest_list)
 {
+  const std::string_view list = longest_list < 256 ? "\nproperty list uchar " : "\nproperty list int ";
   writer << "ply\nformat ascii 1.0\ncomment T-mesh with halfedge knots\nelement vertex " << number_of_vertices
          << "\nproperty double x\nproperty double y\nproperty double z\nproperty double w\nelement face "
-         << number_of_faces
-         << "\nproperty list int int vertex_indices\nproperty list int double halfedge_knots\n"
-            "property list int uchar corner\nproperty list int int opposite\nend_header\n";
+         << number_of_faces << list << "int vertex_indices" << list << "double halfedge_knots" << list << "uchar corner"
+         << list << "int opposite\nend_header\n";
 }
 
 /// Hands the text of the file to `sink`, a function object that takes a `std::string_view`, piece by piece.
@@ -101,8 +104,15 @@ void format_t_mesh(Sink& sink, const TMesh& t_mesh, const VertexPointMap vertex_
   const T_mesh_numbering<TMesh> numbering(t_mesh);
   Text_writer<Sink> writer(sink);
   const auto vertex_range = vertices(graph);
+  const auto length_of_lists = [&graph](const auto first) {
+    const auto halfedges = CGAL::halfedges_around_face(first, graph);
+    return static_cast<std::size_t>(std::distance(halfedges.begin(), halfedges.end()));
+  };
+  std::size_t longest_list = 0;
+  for (const auto first : numbering.first_halfedges())
+    longest_list = (std::max)(longest_list, length_of_lists(first));
   format_t_mesh_header(writer, static_cast<std::size_t>(std::distance(vertex_range.first, vertex_range.second)),
-                       numbering.first_halfedges().size());
+                       numbering.first_halfedges().size(), longest_list);
   for (const auto v : CGAL::make_range(vertex_range)) {
     const auto& p = get(vertex_point_map, v);
     writer << CGAL::to_double(p.x()) << " " << CGAL::to_double(p.y()) << " " << CGAL::to_double(p.z()) << " "
@@ -110,7 +120,7 @@ void format_t_mesh(Sink& sink, const TMesh& t_mesh, const VertexPointMap vertex_
   }
   for (const auto first : numbering.first_halfedges()) {
     const auto halfedges = CGAL::halfedges_around_face(first, graph);
-    const std::size_t n = static_cast<std::size_t>(std::distance(halfedges.begin(), halfedges.end()));
+    const std::size_t n = length_of_lists(first);
     writer << n;
     for (const auto h : halfedges)
       writer << " " << numbering.vertex_number(source(h, graph));
@@ -158,6 +168,8 @@ void format_t_mesh(Sink& sink, const TMesh& t_mesh, const NamedParameters& np)
 /// - `corner` (uchar): entry i is 1 if the face turns by a right angle at vertex i, else 0; four entries are 1;
 /// - `opposite` (int): entry i names the opposite of the halfedge from vertex i to vertex i + 1, by its number when
 ///   the halfedges are counted from 0 over all faces in order; -1 at the border.
+///
+/// The lengths of the lists are of the type `uchar`, or `int` if a face has more than 255 vertices.
 ///
 /// Every number is written in the shortest way that reads back as the same double, so a T-mesh in doubles comes back
 /// bit by bit. Knots of another number type are rounded to doubles (`CGAL::to_double()`), each by itself: intervals
@@ -208,7 +220,7 @@ template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_n
 std::error_code write_t_mesh(const std::string& filename, const TMesh& t_mesh,
                              const NamedParameters& np = CGAL::parameters::default_values())
 {
-  internal::Atomic_file file(filename);
+  Atomic_file file(filename);
   const auto sink = [&file](const std::string_view text) { file.write(text); };
   internal::format_t_mesh(sink, t_mesh, np);
   file.finish() && file.commit();

@@ -4,14 +4,17 @@
 #ifndef CGAL_T_SPLINES_IO_WRITE_T_SPLINE_OBJ_H
 #define CGAL_T_SPLINES_IO_WRITE_T_SPLINE_OBJ_H
 
-#include <CGAL/T_splines/IO/internal/Atomic_file.h>
+#include <CGAL/T_splines/IO/Atomic_file.h>
 #include <CGAL/T_splines/IO/internal/Text_writer.h>
+#include <CGAL/T_splines/Spline/Tessellation_resolution.h>
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
 
 #include <CGAL/number_type_basic.h>
 
 #include <array>
 #include <cstddef>
+#include <ios>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -23,7 +26,7 @@ namespace internal {
 
 /// Hands the text of the file to `sink`, a function object that takes a `std::string_view`, piece by piece.
 template <typename Sink, typename Surface>
-void format_t_spline_obj(Sink& sink, const Surface& surface, const int resolution)
+void format_t_spline_obj(Sink& sink, const Surface& surface, const Tessellation_resolution& resolution)
 {
   const auto tessellation = tessellate_parameter_domain(surface, resolution);
   Text_writer<Sink> writer(sink);
@@ -46,24 +49,40 @@ void format_t_spline_obj(Sink& sink, const Surface& surface, const int resolutio
 } // namespace internal
 
 /// \ingroup PkgTSplinesIO
-/// writes a T-spline surface to an OBJ file, as triangles with the normals of the surface (`v`, `vn`, `f v//vn`),
-/// without cracks.
-///
-/// The file appears under its name only when it is complete and on the disk; if anything fails, nothing is left behind.
-/// Other formats:
+/// writes a T-spline surface to a stream, in the format of OBJ, as triangles with the normals of the surface (`v`, `vn`,
+/// `f v//vn`), without cracks. Other formats:
 /// `tessellate_T_spline()` makes a mesh, which CGAL's functions write.
 /// \tparam Surface a `T_spline_surface` or a `Compiled_T_spline`
-/// \param filename where to write; a file that is there is replaced
+/// \param out receives the file
 /// \param surface \pre it is valid
 /// \param resolution as for `tessellate_parameter_domain()`
+/// \return `std::io_errc::stream` if the stream failed; converts to `false` if all was written. Complexity: linear in the
+///         size of the file.
+template <typename Surface>
+std::error_code write_t_spline_obj(std::ostream& out, const Surface& surface,
+                                   const Tessellation_resolution& resolution = {})
+{
+  const auto sink = [&out](const std::string_view text) {
+    out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  };
+  internal::format_t_spline_obj(sink, surface, resolution);
+  return out.good() ? std::error_code() : std::make_error_code(std::io_errc::stream);
+}
+
+/// \ingroup PkgTSplinesIO
+/// writes a T-spline surface to an OBJ file, as the function that writes to a stream.
+///
+/// The file appears under its name only when it is complete and on the disk; if anything fails, nothing is left behind.
+/// \param filename where to write; a file that is there is replaced
+/// \param surface, resolution see the function that writes to a stream
 /// \return the error of the operating system; converts to `false` if the file was written. Complexity: linear in the
 ///         size of the file.
 template <typename Surface>
-std::error_code write_t_spline_obj(const std::string& filename, const Surface& surface, const int resolution)
+std::error_code write_t_spline_obj(const std::string& filename, const Surface& surface,
+                                   const Tessellation_resolution& resolution = {})
 {
-  internal::Atomic_file file(filename);
-  const auto sink = [&file](const std::string_view text) { file.write(text); };
-  internal::format_t_spline_obj(sink, surface, resolution);
+  Atomic_file file(filename);
+  write_t_spline_obj(file.stream(), surface, resolution);
   file.finish() && file.commit();
   return std::error_code(file.error(), std::generic_category());
 }

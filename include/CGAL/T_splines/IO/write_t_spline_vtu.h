@@ -4,8 +4,8 @@
 #ifndef CGAL_T_SPLINES_IO_WRITE_T_SPLINE_VTU_H
 #define CGAL_T_SPLINES_IO_WRITE_T_SPLINE_VTU_H
 
-#include <CGAL/T_splines/IO/internal/Atomic_file.h>
-#include <CGAL/T_splines/IO/internal/base64.h>
+#include <CGAL/T_splines/IO/Atomic_file.h>
+#include <CGAL/T_splines/IO/base64.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -132,7 +132,7 @@ std::error_code write_t_spline_vtu(std::ostream& out, const CompiledTSpline& sur
 template <typename CompiledTSpline>
 std::error_code write_t_spline_vtu(const std::string& filename, const CompiledTSpline& surface)
 {
-  internal::Atomic_file file(filename);
+  Atomic_file file(filename);
   const auto sink = [&file](const std::string_view text) { file.write(text); };
   internal::format_t_spline_vtu(sink, surface);
   file.finish() && file.commit();

@@ -8,6 +8,8 @@
 #include <CGAL/T_splines/Similarity_map/internal/Refined_mesh_writer.h>
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_map_computation.h>
 #include <CGAL/T_splines/Similarity_map/internal/converged_metric.h>
+#include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/graph_checks.h>
 
 #include <type_traits>
 #include <vector>
@@ -30,7 +32,7 @@ namespace T_splines {
 /// \param mesh a closed triangle mesh, of one or more components
 /// \param signature an admissible signature of `mesh`
 /// \param refined the refinement; its vertices are those of `mesh`, in their order and with their points, and then
-///        those added. It is written only if the status is CONVERGED. \pre It is empty
+///        those added. It must be empty, which is checked, and is written only if the status is CONVERGED
 /// \param uv_map the coordinates of the target of a halfedge in the chart of its face
 /// \param np an optional sequence of named parameters among these:
 ///
@@ -117,13 +119,20 @@ compute_seamless_similarity_map(const TriangleMesh& mesh, const Holonomy_signatu
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const auto visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Progress_visitor());
-  const internal::Mesh_indexing<TriangleMesh> indexing(mesh);
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
   Similarity_map_report<TriangleMesh> layout_report;
+  if (!internal::is_output_graph(refined)) {
+    layout_report.status = Similarity_map_status::OUTPUT_NOT_EMPTY;
+    return layout_report;
+  }
+  const internal::Mesh_indexing<TriangleMesh> indexing(mesh);
   Similarity_map_report<TriangleMesh> report = internal::converged_metric(
-      mesh, signature, true, np, indexing, [&](const internal::Metric_input& input, const auto& metric) {
-        visitor.begin_stage("layout");
-        const internal::Similarity_map_computation<std::decay_t<decltype(metric)>> map(input, metric, visitor);
+      mesh, signature, true, np, indexing, progress, [&](const internal::Metric_input& input, const auto& metric) {
+        progress.begin_stage("layout");
+        const internal::Similarity_map_computation<std::decay_t<decltype(metric)>> map(input, metric, progress);
+        if (!progress.go_on())
+          return false;
         if (map.is_too_large()) {
           layout_report.status = Similarity_map_status::SUBDIVISION_TOO_LARGE;
           return true;
@@ -135,7 +144,7 @@ compute_seamless_similarity_map(const TriangleMesh& mesh, const Holonomy_signatu
           return false;
         }
         layout_report.status = Similarity_map_status::CONVERGED;
-        visitor.begin_stage("output");
+        progress.begin_stage("output");
         const internal::Refined_mesh_writer<RefinedMesh> writer(map.refined(), refined);
         writer.put_points(indexing,
                           choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),

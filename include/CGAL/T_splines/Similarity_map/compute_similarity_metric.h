@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Similarity_map/Similarity_metric.h>
 #include <CGAL/T_splines/Similarity_map/internal/converged_metric.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <vector>
 
@@ -80,9 +81,11 @@ compute_similarity_metric(const TriangleMesh& mesh, const Holonomy_signature<Tri
                           Similarity_metric<TriangleMesh, FT>& metric,
                           const NamedParameters& np = CGAL::parameters::default_values())
 {
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
   const internal::Mesh_indexing<TriangleMesh> indexing(mesh);
   return internal::converged_metric(
-      mesh, signature, false, np, indexing, [&](const internal::Metric_input&, const auto& computation) {
+      mesh, signature, false, np, indexing, progress, [&](const internal::Metric_input&, const auto& computation) {
         const auto convert = [](const auto& from) {
           std::vector<FT> to;
           to.reserve(from.size());

@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Similarity_map/Seamless_map.h>
 #include <CGAL/T_splines/Similarity_map/internal/Exact_map_computation.h>
 #include <CGAL/T_splines/Similarity_map/internal/decimal_tolerance.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -104,6 +105,11 @@ Exact_map_report<TriangleMesh> exact_map_report(const Mesh_indexing<TriangleMesh
 ///     \cgalParamDefault{1e-6, or what rounding explains if no coordinate has more than seven (2e-6) or six (2e-5)
 ///       significant decimal digits}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return what was done; or the first defect found and the element that has it, all of them for triangles.
@@ -116,11 +122,20 @@ Exact_map_report<TriangleMesh> make_exactly_seamless(const TriangleMesh& mesh, c
                                                      const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::get_parameter;
-  CGAL_precondition(&mesh == &map.mesh());
-  const Triangle_mesh_report<TriangleMesh> mesh_report = internal::check_mesh_connectivity(mesh, true);
+  if (&mesh != &map.mesh() || !map.indexing().has_elements_of(mesh)) {
+    Exact_map_report<TriangleMesh> report;
+    report.status = Exact_map_status::MAP_OF_OTHER_MESH;
+    return report;
+  }
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("exact map");
+  const Triangle_mesh_report<TriangleMesh> mesh_report = internal::check_mesh_connectivity(mesh, true, progress);
   if (!mesh_report.success()) {
     Exact_map_report<TriangleMesh> report;
     report.mesh = mesh_report;
+    if (progress.is_interrupted())
+      report.status = Exact_map_status::INTERRUPTED;
     return report;
   }
   std::vector<std::array<double, 2>> uv = internal::uv_array(map.indexing(), uv_map);
@@ -130,8 +145,9 @@ Exact_map_report<TriangleMesh> make_exactly_seamless(const TriangleMesh& mesh, c
     tolerance = internal::decimal_tolerance(uv);
   else
     tolerance = given_tolerance;
+  progress.go_on();
   internal::Exact_map_computation<FT> computation(internal::triangulation_connectivity(map.indexing()), std::move(uv),
-                                                  tolerance);
+                                                  tolerance, progress);
   computation.run();
   const Exact_map_report<TriangleMesh> report =
       internal::exact_map_report(map.indexing(), computation.figures(), computation.layout());

@@ -27,6 +27,24 @@ namespace CGAL {
 namespace T_splines {
 
 /// \ingroup PkgTSplinesSpline
+/// How the compilation of a T-spline surface ended.
+enum class T_spline_compilation_status {
+  COMPILED,   ///< all patches are there
+  INTERRUPTED ///< the visitor asked to stop; there are no patches
+};
+
+/// \ingroup PkgTSplinesSpline
+/// returns one sentence that explains `status`.
+inline const char* message(const T_spline_compilation_status status)
+{
+  switch (status) {
+  case T_spline_compilation_status::COMPILED: return "the surface was compiled";
+  case T_spline_compilation_status::INTERRUPTED: return "interrupted by the visitor";
+  }
+  return "";
+}
+
+/// \ingroup PkgTSplinesSpline
 /// The part of the surface that a Bezier patch of a compiled T-spline covers: [u_begin, u_end] x [v_begin, v_end] of a
 /// face.
 /// \tparam Graph a model of `FaceGraph`
@@ -84,6 +102,9 @@ public:
   using Domain = Bezier_patch_domain<Graph, FT>; ///< the part of a face that a patch covers
   using Place = T_mesh_place<Graph, FT>;         ///< a face, and a point in its frame
   using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor; ///< a face of the graph
+
+  /// returns whether the surface may be used: all but this and `number_of_patches()` demands that it was compiled.
+  T_spline_compilation_status status() const { return m_status; }
 
   /// returns the number of Bezier patches.
   std::size_t number_of_patches() const { return m_patches.size(); }
@@ -286,6 +307,7 @@ private:
   std::vector<FT> m_cuts;
   int m_number_of_rings = 0;
   double m_cap_deviation = 0;
+  T_spline_compilation_status m_status = T_spline_compilation_status::COMPILED;
 };
 
 } // namespace T_splines

@@ -5,10 +5,12 @@
 #define CGAL_T_SPLINES_SPLINE_KNOT_INSERTION_REPORT_H
 
 #include <CGAL/T_splines/T_mesh/Spline_compatibility_report.h>
+#include <CGAL/T_splines/internal/element_numbers.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <string>
 
 namespace CGAL {
 namespace T_splines {
@@ -22,7 +24,8 @@ enum class Knot_insertion_status {
   OUTSIDE,                 ///< the line does not pass inside the face, or passes too close to its sides
   NOT_CONFORMING,          ///< `face`, in one of the three columns of the line, has a vertex inside a side
   AT_EXTRAORDINARY_VERTEX, ///< the line would change the rings of the extraordinary vertex `vertex`
-  LINE_MEETS_ITSELF        ///< the line comes back to one of its three columns at `face`
+  LINE_MEETS_ITSELF,       ///< the line comes back to one of its three columns at `face`
+  INTERRUPTED              ///< the visitor asked to stop
 };
 
 /// \ingroup PkgTSplinesSpline
@@ -40,6 +43,7 @@ inline const char* message(const Knot_insertion_status status)
   case Knot_insertion_status::AT_EXTRAORDINARY_VERTEX:
     return "the line runs through the rings of an extraordinary vertex";
   case Knot_insertion_status::LINE_MEETS_ITSELF: return "the line comes back to one of its three columns";
+  case Knot_insertion_status::INTERRUPTED: return "interrupted by the visitor";
   }
   return "";
 }
@@ -63,6 +67,17 @@ struct Knot_insertion_report {
   /// converts to `true` upon success.
   explicit operator bool() const { return success(); }
 };
+
+/// \ingroup PkgTSplinesSpline
+/// returns what `report` says, with the numbers of the elements concerned, counted from 0. Complexity: linear in the
+/// size of the T-mesh.
+template <typename Graph>
+std::string describe(const Knot_insertion_report<Graph>& report, const Graph& graph)
+{
+  if (report.status == Knot_insertion_status::NOT_SPLINE_COMPATIBLE)
+    return describe(report.compatibility, graph);
+  return message(report.status) + internal::numbered_elements(graph, report.vertex, report.face);
+}
 
 } // namespace T_splines
 } // namespace CGAL

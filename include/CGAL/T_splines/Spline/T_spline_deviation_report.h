@@ -22,12 +22,13 @@ namespace T_splines {
 /// \ingroup PkgTSplinesSpline
 /// Whether distances were measured, and if not, why.
 enum class T_spline_deviation_status {
-  MEASURED,             ///< the distances are known
-  NO_FACES,             ///< the mesh has no face
-  NOT_TRIANGULATED,     ///< `face` is not a triangle
-  VERTEX_NOT_FINITE,    ///< a coordinate of `vertex` is not a number, or greater than 1e70
-  SURFACE_NOT_FINITE,   ///< the same for a point of the surface
-  SURFACE_WITHOUT_FACES ///< the T-mesh has no face
+  MEASURED,              ///< the distances are known
+  NO_FACES,              ///< the mesh has no face
+  NOT_TRIANGULATED,      ///< `face` is not a triangle
+  VERTEX_NOT_FINITE,     ///< a coordinate of `vertex` is not a number, or greater than 1e70
+  SURFACE_NOT_FINITE,    ///< the same for a point of the surface
+  SURFACE_WITHOUT_FACES, ///< the T-mesh has no face
+  INTERRUPTED            ///< the visitor asked to stop
 };
 
 /// \ingroup PkgTSplinesSpline
@@ -42,6 +43,7 @@ inline const char* message(const T_spline_deviation_status status)
   case T_spline_deviation_status::SURFACE_NOT_FINITE:
     return "the surface has points that are not finite or too far away";
   case T_spline_deviation_status::SURFACE_WITHOUT_FACES: return "the T-mesh of the surface has no face";
+  case T_spline_deviation_status::INTERRUPTED: return "interrupted by the visitor";
   }
   return "";
 }
@@ -116,7 +118,7 @@ struct T_spline_deviation_report {
   Deviation_place<Graph, TriangleMesh> mesh_to_surface_place;   ///< of the largest distance
   Deviation_place<Graph, TriangleMesh> surface_to_mesh_place;   ///< of the largest distance
   Normal_deviation<Graph, TriangleMesh> normals;                ///< the angles between the normals
-  double tolerance = (std::numeric_limits<double>::infinity)(); ///< as it was given: a length
+  double tolerance = (std::numeric_limits<double>::infinity)(); ///< that was given, as a length
 
   /// returns the Hausdorff distance, as found.
   double maximum() const { return (std::max)(mesh_to_surface.maximum, surface_to_mesh.maximum); }
@@ -125,7 +127,7 @@ struct T_spline_deviation_report {
   double upper_bound() const { return (std::max)(mesh_to_surface.upper_bound, surface_to_mesh.upper_bound); }
 
   /// returns whether no distance was found that exceeds the tolerance.
-  bool is_within_tolerance() const { return maximum() <= tolerance; }
+  bool within_tolerance() const { return maximum() <= tolerance; }
 
   /// returns whether there are folds. Doubtful places do not count.
   bool has_folds() const { return normals.number_of_folded_patches > 0; }

@@ -18,8 +18,8 @@ enum class T_spline_fit_status {
   FITTED,           ///< the control points are set
   INVALID_SURFACE,  ///< the T-mesh carries no T-spline, or a weight is not positive: see `surface`
   NO_SAMPLES,       ///< there is no sample with a positive weight
-  INVALID_SAMPLE,   ///< a number of `sample` is not finite, its weight is negative, or its place is not in its face,
-                    ///< up to round-off
+  INVALID_SAMPLE,   ///< a number of `sample` is not finite, its weight is negative, its face is not one of the
+                    ///< T-mesh, or not any more, or its place is not in its face, up to round-off
   INVALID_FAIRNESS, ///< the fairness is negative or not finite
   UNDERDETERMINED,  ///< the samples do not determine all control points: there are too few for a fairness of zero
   INTERRUPTED       ///< the visitor stopped the work
@@ -34,7 +34,8 @@ inline const char* message(const T_spline_fit_status status)
   case T_spline_fit_status::INVALID_SURFACE: return "the T-mesh carries no T-spline surface";
   case T_spline_fit_status::NO_SAMPLES: return "there are no samples with a positive weight";
   case T_spline_fit_status::INVALID_SAMPLE:
-    return "a sample is not finite, has a negative weight or lies outside of its face";
+    return "a sample is not finite, has a negative weight, lies outside of its face, or has a face that the T-mesh "
+           "does not have";
   case T_spline_fit_status::INVALID_FAIRNESS: return "the fairness is negative or not finite";
   case T_spline_fit_status::UNDERDETERMINED: return "the samples do not determine all control points";
   case T_spline_fit_status::INTERRUPTED: return "the fit was interrupted";

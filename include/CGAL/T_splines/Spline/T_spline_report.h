@@ -20,7 +20,8 @@ enum class T_spline_status {
   VALID,                    ///< the surface can be evaluated
   NOT_SPLINE_COMPATIBLE,    ///< the T-mesh carries no T-spline: see `compatibility`
   CONTROL_POINT_NOT_FINITE, ///< a coordinate or the weight of the control point of `vertex` is infinite or not a number
-  WEIGHT_NOT_POSITIVE       ///< the weight of the control point of `vertex` is zero or negative
+  WEIGHT_NOT_POSITIVE,      ///< the weight of the control point of `vertex` is zero or negative
+  INTERRUPTED               ///< the visitor asked to stop
 };
 
 /// \ingroup PkgTSplinesSpline
@@ -33,6 +34,7 @@ inline const char* message(const T_spline_status status)
   case T_spline_status::CONTROL_POINT_NOT_FINITE:
     return "a control point has a coordinate or weight that is not finite";
   case T_spline_status::WEIGHT_NOT_POSITIVE: return "the weight of a control point is not positive";
+  case T_spline_status::INTERRUPTED: return "interrupted by the visitor";
   }
   return "";
 }

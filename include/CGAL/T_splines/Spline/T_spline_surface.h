@@ -13,6 +13,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
@@ -110,15 +111,23 @@ public:
     : m_control_point_map(control_points),
       m_indexing(std::make_shared<const internal::Mesh_indexing<Graph>>(t_mesh.graph()))
   {
-    if (!internal::is_known_admissible(t_mesh, np, m_report.compatibility)) {
-      m_report.status = T_spline_status::NOT_SPLINE_COMPATIBLE;
+    const auto visitor = internal::progress_visitor(np);
+    internal::Progress progress(visitor);
+    progress.begin_stage("T-spline surface");
+    if (!internal::is_known_admissible(t_mesh, np, progress, m_report.compatibility)) {
+      m_report.status =
+          progress.is_interrupted() ? T_spline_status::INTERRUPTED : T_spline_status::NOT_SPLINE_COMPATIBLE;
       return;
     }
-    internal::Spline_structure<Knot, FT> structure(*m_indexing, t_mesh);
+    internal::Spline_structure<Knot, FT> structure(*m_indexing, t_mesh, progress);
     const auto basis = std::make_shared<Basis>();
     internal::Spline_defect defect = internal::defect_before_supports(structure);
     if (!defect)
       defect = basis->build(structure);
+    if (!progress.go_on()) {
+      m_report.status = T_spline_status::INTERRUPTED;
+      return;
+    }
     if (defect) {
       m_report.status = T_spline_status::NOT_SPLINE_COMPATIBLE;
       m_report.compatibility = internal::described(defect, *m_indexing);

@@ -4,139 +4,64 @@
 #ifndef CGAL_T_SPLINES_SPLINE_CHECK_T_SPLINE_SELF_INTERSECTIONS_H
 #define CGAL_T_SPLINES_SPLINE_CHECK_T_SPLINE_SELF_INTERSECTIONS_H
 
-#include <CGAL/T_splines/Spline/internal/Triangle_set.h>
-#include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
+#include <CGAL/T_splines/Spline/T_spline_self_intersection_report.h>
+#include <CGAL/T_splines/Spline/internal/Mesh_intersections.h>
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
+#include <CGAL/T_splines/defaults.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/function_property_map.hpp>
-
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <iterator>
-#include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace T_splines {
 
-/// \ingroup PkgTSplinesSpline
-/// What `check_T_spline_self_intersections()` found.
-struct T_spline_self_intersection_report {
-  std::size_t number_of_triangles = 0;                       ///< of the tessellation
-  std::size_t number_of_intersections = 0;                   ///< pairs of triangles of the tessellation that intersect
-  std::size_t number_of_mesh_intersections = 0;              ///< pairs of triangles of the mesh that intersect
-  std::size_t number_of_new_intersections = 0;               ///< those of the tessellation where the mesh has none
-  CGAL::Simple_cartesian<double>::Point_3 place = {0, 0, 0}; ///< next to the first new intersection, if there is any
-
-  /// returns whether the surface passes through itself nowhere but where the mesh does.
-  bool success() const { return number_of_new_intersections == 0; }
-  /// converts to `true` upon success.
-  explicit operator bool() const { return success(); }
-};
-
 namespace internal {
-
-/// The pairs of faces that intersect, by exact predicates on points in doubles. Faces without area do not count.
-template <typename TriangleMesh, typename VertexPointMap>
-auto intersecting_faces(const TriangleMesh& mesh, const VertexPointMap point_map)
-{
-  using Traits = boost::graph_traits<TriangleMesh>;
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  const auto points = boost::make_function_property_map<typename Traits::vertex_descriptor, Kernel::Point_3>(
-      [&](const typename Traits::vertex_descriptor v) {
-        const Triangle_set::Point_3 p = point_in_doubles(get(point_map, v));
-        return Kernel::Point_3(p.x(), p.y(), p.z());
-      });
-  std::vector<typename Traits::face_descriptor> proper;
-  for (const auto f : CGAL::make_range(faces(mesh))) {
-    const auto h = halfedge(f, mesh);
-    if (!CGAL::collinear(get(points, source(h, mesh)), get(points, target(h, mesh)),
-                         get(points, target(next(h, mesh), mesh))))
-      proper.push_back(f);
-  }
-  std::vector<std::pair<typename Traits::face_descriptor, typename Traits::face_descriptor>> result;
-  CGAL::Polygon_mesh_processing::self_intersections(proper, mesh, std::back_inserter(result),
-                                                    CGAL::parameters::vertex_point_map(points).geom_traits(Kernel()));
-  return result;
-}
-
-/// The points of a face of a mesh.
-template <typename TriangleMesh, typename VertexPointMap>
-std::array<Triangle_set::Point_3, 3> corners_of(const typename boost::graph_traits<TriangleMesh>::face_descriptor f,
-                                                const TriangleMesh& mesh, const VertexPointMap point_map)
-{
-  const auto h = halfedge(f, mesh);
-  return {point_in_doubles(get(point_map, source(h, mesh))), point_in_doubles(get(point_map, target(h, mesh))),
-          point_in_doubles(get(point_map, target(next(h, mesh), mesh)))};
-}
-
-/// The places where a mesh passes through itself.
-class Mesh_intersections {
-public:
-  template <typename TriangleMesh, typename VertexPointMap>
-  Mesh_intersections(const TriangleMesh& mesh, const VertexPointMap point_map)
-  {
-    Triangle_set set;
-    for (const auto& pair : intersecting_faces(mesh, point_map)) {
-      ++m_number_of_pairs;
-      for (const auto f : {pair.first, pair.second}) {
-        const std::size_t first = set.points.size();
-        for (const Triangle_set::Point_3& p : corners_of(f, mesh, point_map))
-          set.points.push_back(p);
-        set.triangles.push_back({first, first + 1, first + 2});
-      }
-    }
-    if (!set.triangles.empty())
-      m_tree = std::make_unique<const Triangle_tree>(set);
-  }
-
-  std::size_t number_of_pairs() const { return m_number_of_pairs; }
-
-  /// Whether a corner of a triangle is next to one.
-  bool is_near(const std::array<Triangle_set::Point_3, 3>& triangle, const double distance) const
-  {
-    return m_tree != nullptr && std::any_of(triangle.begin(), triangle.end(), [&](const Triangle_set::Point_3& p) {
-             return m_tree->distance(p) <= distance;
-           });
-  }
-
-private:
-  std::size_t m_number_of_pairs = 0;
-  std::unique_ptr<const Triangle_tree> m_tree; // of the triangles of the mesh that intersect; null if there are none
-};
 
 /// What `check_T_spline_self_intersections()` does, the number of intersections of the mesh apart.
 /// \param of_mesh returns the `Mesh_intersections`; it is only called where the surface passes through itself
+/// \param progress if it is interrupted, the status says so, and no faces are written
 template <typename Surface, typename OfMesh, typename OutputIterator>
 T_spline_self_intersection_report find_new_self_intersections(const Surface& surface, const int resolution,
                                                               const OfMesh& of_mesh, const double tolerance,
-                                                              OutputIterator faces)
+                                                              OutputIterator faces, Progress& progress)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Tessellation = CGAL::Surface_mesh<Kernel::Point_3>;
-  const auto domain = tessellate_parameter_domain(surface, resolution);
-  Tessellation tessellation;
-  add_tessellation(surface, domain, tessellation, CGAL::parameters::default_values());
-  const auto pairs = intersecting_faces(tessellation, tessellation.points());
-
   T_spline_self_intersection_report report;
+  const auto is_interrupted = [&] {
+    if (!progress.go_on())
+      report.status = T_spline_self_intersection_status::INTERRUPTED;
+    return progress.is_interrupted();
+  };
+  const auto domain =
+      tessellate_parameter_domain(surface, resolution, CGAL::parameters::visitor(Part_visitor(progress)));
+  if (is_interrupted())
+    return report;
+  Tessellation tessellation;
+  add_tessellation(surface, domain, tessellation, CGAL::parameters::default_values(), progress);
+  if (is_interrupted())
+    return report;
+  const auto pairs = intersecting_faces(tessellation, tessellation.points(), progress);
+  if (is_interrupted())
+    return report;
+
   report.number_of_triangles = tessellation.number_of_faces();
   report.number_of_intersections = pairs.size();
   std::vector<int> found;
   for (const auto& pair : pairs) {
+    if (!progress.go_on_after(100)) {
+      report.status = T_spline_self_intersection_status::INTERRUPTED;
+      return report;
+    }
     const auto a = corners_of(pair.first, tessellation, tessellation.points()),
                b = corners_of(pair.second, tessellation, tessellation.points());
     if (of_mesh().is_near(a, tolerance) && of_mesh().is_near(b, tolerance))
@@ -146,6 +71,8 @@ T_spline_self_intersection_report find_new_self_intersections(const Surface& sur
     for (const auto f : {pair.first, pair.second})
       found.push_back(surface.indexing().face_index(domain.faces[f]));
   }
+  if (is_interrupted()) // of_mesh() may have been
+    return report;
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   for (const int f : found)
@@ -177,13 +104,18 @@ T_spline_self_intersection_report find_new_self_intersections(const Surface& sur
 ///   \cgalParamNBegin{tessellation_resolution}
 ///     \cgalParamDescription{as for `tessellate_T_spline()`, at least 2}
 ///     \cgalParamType{`int`}
-///     \cgalParamDefault{8}
+///     \cgalParamDefault{`default_tessellation_resolution`, 8}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tolerance}
-///     \cgalParamDescription{a length: triangles of the surface that are not farther from triangles of the mesh that
-///       intersect are where the mesh intersects}
+///     \cgalParamDescription{triangles of the surface that are not farther from triangles of the mesh that intersect are
+///       where the mesh intersects; by the longest side of the bounding box of the mesh}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
@@ -198,11 +130,23 @@ check_T_spline_self_intersections(const Surface& surface, const TriangleMesh& me
   using CGAL::parameters::get_parameter;
   const auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, mesh));
-  const int resolution = choose_parameter(get_parameter(np, np_tags::tessellation_resolution), 8);
+  const int resolution =
+      choose_parameter(get_parameter(np, np_tags::tessellation_resolution), default_tessellation_resolution);
   const double tolerance = choose_parameter(get_parameter(np, np_tags::tolerance), 0.);
-  const internal::Mesh_intersections of_mesh(mesh, point_map);
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("self-intersections");
+  progress.go_on();
+  const internal::Mesh_intersections of_mesh(mesh, point_map, progress);
+  CGAL::Bbox_3 box;
+  for (const auto v : CGAL::make_range(vertices(mesh)))
+    box += internal::point_in_doubles(get(point_map, v)).bbox();
+  const double extent = num_vertices(mesh) == 0 ? 0 : (std::max)({box.x_span(), box.y_span(), box.z_span()});
+  progress.progress(0.5);
+  const internal::Progress::Part part(progress, 0.5, 1);
   auto report = internal::find_new_self_intersections(
-      surface, resolution, [&]() -> const internal::Mesh_intersections& { return of_mesh; }, tolerance, faces);
+      surface, resolution, [&]() -> const internal::Mesh_intersections& { return of_mesh; }, tolerance* extent, faces,
+      progress);
   report.number_of_mesh_intersections = of_mesh.number_of_pairs();
   return report;
 }

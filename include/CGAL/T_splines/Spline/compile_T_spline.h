@@ -6,10 +6,12 @@
 
 #include <CGAL/T_splines/Spline/Compiled_T_spline.h>
 #include <CGAL/T_splines/Spline/internal/T_spline_compiler.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
+#include <type_traits>
 
 namespace CGAL {
 namespace T_splines {
@@ -29,10 +31,15 @@ namespace T_splines {
 ///     \cgalParamExtra{The deviation of the caps falls by a factor of 2.4 (valence 3) to 1.5 (high valences) with each,
 ///       as the subdominant eigenvalue of the subdivision tells.}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the patches; they do not depend on `surface` any more, but on its T-mesh.
-///
+/// \return the patches; they do not depend on `surface` any more, but on its T-mesh. If the visitor stopped the work, none:
+/// `status()` tells.
 /// Complexity: linear in the number of pairs of a basis function and a patch where it acts.
 template <typename Surface, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Compiled_T_spline<typename Surface::Graph, typename Surface::Kernel>
@@ -43,9 +50,27 @@ compile_T_spline(const Surface& surface, const NamedParameters& np = CGAL::param
   CGAL_precondition_msg(surface.is_valid(), "the surface is not valid: see report()");
   const int number_of_rings = choose_parameter(get_parameter(np, np_tags::number_of_rings), 4);
   CGAL_precondition_msg(number_of_rings >= 1, "number_of_rings must be positive");
-  return internal::T_spline_compiler<Surface>(surface).compile(number_of_rings);
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("compilation");
+  return internal::T_spline_compiler<Surface>(surface).compile(number_of_rings, progress);
 }
 
+namespace internal {
+
+/// The compiled surface, or the surface itself if it is one: a reference then. Without patches, if `progress` is
+/// interrupted.
+template <typename Surface>
+decltype(auto) as_compiled(const Surface& surface, [[maybe_unused]] Progress& progress)
+{
+  using Compiled = Compiled_T_spline<typename Surface::Graph, typename Surface::Kernel>;
+  if constexpr (std::is_same<Surface, Compiled>::value)
+    return (surface);
+  else
+    return compile_T_spline(surface, CGAL::parameters::visitor(Part_visitor(progress)));
+}
+
+} // namespace internal
 } // namespace T_splines
 } // namespace CGAL
 

@@ -4,12 +4,14 @@
 #ifndef CGAL_T_SPLINES_SPLINE_FIT_T_SPLINE_H
 #define CGAL_T_SPLINES_SPLINE_FIT_T_SPLINE_H
 
-#include <CGAL/T_splines/Progress_visitor.h>
 #include <CGAL/T_splines/Solver/default_solver.h>
 #include <CGAL/T_splines/Spline/T_spline_fit_report.h>
 #include <CGAL/T_splines/Spline/internal/T_spline_fitter.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_sample.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
+#include <CGAL/T_splines/defaults.h>
+#include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/graph_checks.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -27,10 +29,6 @@
 namespace CGAL {
 namespace T_splines {
 
-/// \ingroup PkgTSplinesSpline
-/// The fairness of a fit if none is given: it smooths over half of the distance between samples.
-constexpr double default_fairness = 0.1;
-
 namespace internal {
 
 // Takes x into [0, size], unless it is farther away than round-off explains. Returns whether it is inside.
@@ -47,10 +45,17 @@ template <typename FT, typename Graph, typename SampleRange>
 std::vector<Fitting_sample<FT>> fitting_samples(const Mesh_indexing<Graph>& indexing, const T_mesh_arrays<FT>& t_mesh,
                                                 const SampleRange& samples, T_spline_fit_report<Graph>& report)
 {
+  const std::size_t first_foreign =
+      first_foreign_face(indexing.graph(), samples, [](const auto& sample) { return sample.place.face; });
   std::vector<Fitting_sample<FT>> result;
   FT weight(0);
   std::size_t i = 0;
   for (const auto& sample : samples) {
+    if (i == first_foreign) {
+      report.status = T_spline_fit_status::INVALID_SAMPLE;
+      report.sample = i;
+      return {};
+    }
     const int f = indexing.face_index(sample.place.face);
     Fitting_sample<FT> s{
         f, sample.place.u, sample.place.v, {sample.point.x(), sample.point.y(), sample.point.z()}, sample.weight};
@@ -161,7 +166,9 @@ T_spline_fit_report<T_mesh_graph<TMesh>> fit_T_spline(const TMesh& t_mesh, Sampl
   const FT fairness = FT(choose_parameter(get_parameter(np, np_tags::fairness), default_fairness));
   const int number_of_corrections =
       static_cast<int>(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 6));
-  const auto visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Progress_visitor());
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("fit");
   auto&& solver = internal::sparse_linear_solver(np);
 
   T_spline_fit_report<T_mesh_graph<TMesh>> report;
@@ -170,7 +177,11 @@ T_spline_fit_report<T_mesh_graph<TMesh>> fit_T_spline(const TMesh& t_mesh, Sampl
     return report;
   }
   internal::T_spline_fitter<Const_T_mesh_view_of<TMesh>, Kernel> fitter(
-      t_mesh, internal::control_point_weights<FT>(t_mesh.graph(), np), np);
+      t_mesh, internal::control_point_weights<FT>(t_mesh.graph(), np), np, progress);
+  if (!progress.go_on()) {
+    report.status = T_spline_fit_status::INTERRUPTED;
+    return report;
+  }
   report.surface = fitter.fitted().surface().report();
   if (!report.surface.success()) {
     report.status = T_spline_fit_status::INVALID_SURFACE;
@@ -181,7 +192,7 @@ T_spline_fit_report<T_mesh_graph<TMesh>> fit_T_spline(const TMesh& t_mesh, Sampl
       internal::fitting_samples(indexing, fitter.fitted().surface().t_mesh_arrays(), samples, report);
   if (!report.success())
     return report;
-  fitter.fit(fitting_samples, fairness, number_of_corrections, solver, visitor, report);
+  fitter.fit(fitting_samples, fairness, number_of_corrections, solver, report);
   if (!report.success())
     return report;
   std::size_t i = 0;

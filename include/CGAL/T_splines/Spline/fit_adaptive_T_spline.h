@@ -10,9 +10,12 @@
 #include <CGAL/T_splines/Spline/T_spline.h>
 #include <CGAL/T_splines/Spline/fit_T_spline.h>
 #include <CGAL/T_splines/Spline/internal/Adaptive_fit.h>
+#include <CGAL/T_splines/Spline/internal/Reference_mesh.h>
 #include <CGAL/T_splines/T_mesh/Carried_surface.h>
 #include <CGAL/T_splines/T_mesh/T_mesh.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
+#include <CGAL/T_splines/defaults.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -28,33 +31,21 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace T_splines {
 
-/// \ingroup PkgTSplinesSpline
-/// The visitor of an adaptive fit that does nothing, and the list of what such a visitor offers: a `Progress_visitor`
-/// that also sees the levels.
-///
-/// \cgalModels{AdaptiveFitVisitor}
-struct Adaptive_fit_visitor : Progress_visitor {
-  /// is called when a level is fitted, with its T-mesh, a model of `TMesh`, whose points are the control points. It does
-  /// not last.
-  template <typename TMesh>
-  void level_fitted(const T_spline_fit_level& /*level*/, const TMesh& /*t_mesh*/) const
-  {
-  }
-};
-
 namespace internal {
 
 /// The same surface, on the copy of a T-mesh whose elements have the same order. Points and triangles that are near to
 /// each other in space are so in memory: most of the time of a fit is spent with going from triangle to triangle.
+/// \param progress if it is interrupted, the surface is not complete
 template <typename Graph, typename ToGraph>
 Carried_surface<ToGraph> copied_surface(const Mesh_indexing<Graph>& indexing, const Carried_surface<Graph>& surface,
-                                        const ToGraph& to)
+                                        const ToGraph& to, Progress& progress)
 {
   const auto& points = surface.points();
   std::vector<std::size_t> order(points.size()), place(points.size());
@@ -64,7 +55,7 @@ Carried_surface<ToGraph> copied_surface(const Mesh_indexing<Graph>& indexing, co
       order.begin(), order.end(),
       CGAL::Spatial_sort_traits_adapter_3<CGAL::Simple_cartesian<double>, decltype(point_map)>(point_map));
   Carried_surface<ToGraph> result;
-  for (std::size_t i = 0; i < order.size(); ++i) {
+  for (std::size_t i = 0; i < order.size() && progress.go_on_after(1); ++i) {
     place[order[i]] = i;
     result.add_point(points[order[i]]);
   }
@@ -75,9 +66,11 @@ Carried_surface<ToGraph> copied_surface(const Mesh_indexing<Graph>& indexing, co
   const auto first_place = [&](const std::size_t t) {
     return (std::min)({place[triangles[t][0]], place[triangles[t][1]], place[triangles[t][2]]});
   };
+  if (!progress.go_on())
+    return result;
   std::stable_sort(triangle_order.begin(), triangle_order.end(),
                    [&](const std::size_t s, const std::size_t t) { return first_place(s) < first_place(t); });
-  for (std::size_t i = 0; i < triangle_order.size(); ++i) {
+  for (std::size_t i = 0; i < triangle_order.size() && progress.go_on_after(1); ++i) {
     triangle_place[triangle_order[i]] = i;
     const auto& t = triangles[triangle_order[i]];
     result.add_triangle({place[t[0]], place[t[1]], place[t[2]]});
@@ -85,7 +78,8 @@ Carried_surface<ToGraph> copied_surface(const Mesh_indexing<Graph>& indexing, co
   int i = 0;
   for (const auto f : CGAL::make_range(faces(to)))
     for (const auto& image : surface.images(indexing.face(i++)))
-      result.add_image(f, {triangle_place[image.triangle], image.corners});
+      if (progress.go_on_after(2))
+        result.add_image(f, {triangle_place[image.triangle], image.corners});
   return result;
 }
 
@@ -105,22 +99,33 @@ Carried_surface<ToGraph> copied_surface(const Mesh_indexing<Graph>& indexing, co
 /// Where the distance is larger than the tolerance, or where the surface folds, the faces of the given T-mesh are split,
 /// into four if the distance is more than twice the tolerance, else into two. Neighbours differ in size by a factor of 6
 /// at most. A surface that is within the tolerance at all samples is measured by `measure_T_spline_deviation()` and
-/// `check_T_spline_self_intersections()`; what they find is refined, too. So `WITHIN_TOLERANCE` is what these find.
+/// `check_T_spline_self_intersections()`; what they find is refined, too. The surface that is handed out is always
+/// measured so: the report has what was found, and `WITHIN_TOLERANCE` means that.
 ///
 /// A good start is the coarsest T-mesh there is: a regularized motorcycle graph.
 /// \tparam TMesh a model of `TMesh` whose graph is one of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`; its
 ///         knots may be of any number type
+/// \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
 /// \tparam Kernel the computation is in its number type, a floating point type
 /// \param t_mesh admissible
 /// \param surface the mesh, on the T-mesh: `carry_surface()` makes it. Its images cover all faces
-/// \param tolerance the largest distance allowed between mesh and surface, in the units of the points; positive
+/// \param mesh what the surface is measured against: the mesh from which `surface` was carried, before it was refined
+/// \param tolerance the largest distance allowed between mesh and surface, by the longest side of the bounding box of the
+///        mesh: 0.01 is one percent of it; positive
 /// \param spline becomes the best level, with weights of 1, upon success; it stays what it was otherwise
 /// \param np an optional sequence of named parameters among these:
 ///
 /// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///     \cgalParamExtra{Points of any kernel, rounded to doubles.}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_control_points}
 ///     \cgalParamDescription{the most control points that the surface may have}
-///     \cgalParamType{`std::size_t`}
+///     \cgalParamType{`std::optional<std::size_t>`}
 ///     \cgalParamDefault{5000, or if that is more, four times as many as the coarsest spline compatible T-mesh has, or
 ///       half as many as the mesh has vertices}
 ///   \cgalParamNEnd
@@ -143,9 +148,16 @@ Carried_surface<ToGraph> copied_surface(const Mesh_indexing<Graph>& indexing, co
 ///     \cgalParamExtra{As for `fit_T_spline()`.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{what hears of the progress, sees each level, and may stop the work}
-///     \cgalParamType{a model of `AdaptiveFitVisitor`, copied}
-///     \cgalParamDefault{`Adaptive_fit_visitor`}
+///     \cgalParamDescription{what hears of the progress, and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{level_observer}
+///     \cgalParamDescription{what is told each level when it is fitted: a function object that takes a
+///       `T_spline_fit_level` and its T-mesh, a `T_mesh<Kernel::Point_3, Kernel::FT>` whose points are the control points
+///       and which does not last}
+///     \cgalParamType{a model of `CopyConstructible`}
+///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{relative_tolerance}
 ///     \cgalParamDescription{as for `is_admissible()`}
@@ -154,50 +166,76 @@ Carried_surface<ToGraph> copied_surface(const Mesh_indexing<Graph>& indexing, co
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return why it ended, and the errors of all levels. Complexity: as `fit_T_spline()` and `make_spline_compatible()`
-/// for each level.
-template <typename TMesh, typename Kernel, typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Adaptive_fit_report<T_mesh_graph<TMesh>>
-fit_adaptive_T_spline(const TMesh& t_mesh, const Carried_surface<T_mesh_graph<TMesh>>& surface, const double tolerance,
-                      T_spline<Kernel>& spline, const NamedParameters& np = CGAL::parameters::default_values())
+/// \return why it ended, how good the surface is, and the errors of all levels. Complexity: as `fit_T_spline()` and
+/// `make_spline_compatible()` for each level.
+template <typename TMesh, typename TriangleMesh, typename Kernel,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Adaptive_fit_report<T_mesh_graph<TMesh>, typename T_spline<Kernel>::Graph, TriangleMesh>
+fit_adaptive_T_spline(const TMesh& t_mesh, const Carried_surface<T_mesh_graph<TMesh>>& surface,
+                      const TriangleMesh& mesh, const double tolerance, T_spline<Kernel>& spline,
+                      const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
+  using Status = Adaptive_fit_status;
   static_assert(std::is_floating_point<typename Kernel::FT>::value, "fits are computed in a floating point type");
-  const auto visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Adaptive_fit_visitor());
+  const auto visitor = internal::progress_visitor(np);
+  const auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                          get_const_property_map(CGAL::vertex_point, mesh));
   auto&& solver = internal::sparse_linear_solver(np);
-
-  Adaptive_fit_report<T_mesh_graph<TMesh>> report;
-  if (!(tolerance > 0) || !std::isfinite(tolerance)) {
-    report.status = Adaptive_fit_status::INVALID_TOLERANCE;
-    return report;
-  }
+  internal::Progress progress(visitor);
+  progress.begin_stage("fit");
   const internal::Adaptive_fit_options options{
       tolerance, choose_parameter(get_parameter(np, np_tags::fairness), default_fairness),
-      choose_parameter(get_parameter(np, np_tags::maximum_number_of_control_points), std::size_t(0)),
+      choose_parameter(get_parameter(np, np_tags::maximum_number_of_control_points), std::optional<std::size_t>()),
       static_cast<int>(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 16))};
+
+  Adaptive_fit_report<T_mesh_graph<TMesh>, typename T_spline<Kernel>::Graph, TriangleMesh> report;
+  const auto refused = [&report](const Status status) {
+    report.status = status;
+    return report;
+  };
+  if (!(tolerance > 0) || !std::isfinite(tolerance))
+    return refused(Status::INVALID_TOLERANCE);
   if (!(options.fairness >= 0) || !std::isfinite(options.fairness)) {
-    report.status = Adaptive_fit_status::FIT_FAILED;
     report.fit.status = T_spline_fit_status::INVALID_FAIRNESS;
-    return report;
+    return refused(Status::FIT_FAILED);
   }
-  if (surface.triangles().empty()) {
-    report.status = Adaptive_fit_status::NO_SURFACE;
-    return report;
+  if (surface.triangles().empty())
+    return refused(Status::NO_SURFACE);
+  if (!internal::is_known_admissible(t_mesh, np, progress, report.fit.surface.compatibility))
+    return refused(progress.is_interrupted() ? Status::INTERRUPTED : Status::INADMISSIBLE);
+  internal::Reference_mesh reference(mesh, point_map, progress);
+  if (!reference.is_valid()) {
+    report.deviation.status = reference.reading().status;
+    report.deviation.vertex = reference.reading().vertex;
+    report.deviation.face = reference.reading().face;
+    return refused(Status::NOT_MEASURABLE);
   }
-  if (!internal::is_known_admissible(t_mesh, np, report.fit.surface.compatibility)) {
-    report.status = Adaptive_fit_status::INADMISSIBLE;
-    return report;
-  }
+
   const internal::Mesh_indexing<T_mesh_graph<TMesh>> indexing(t_mesh.graph());
   T_mesh<typename Kernel::Point_3, typename Kernel::FT> working;
   copy_T_mesh(t_mesh, working);
-  internal::Adaptive_fit<Kernel, std::decay_t<decltype(solver)>, std::decay_t<decltype(visitor)>> fit(
-      working, internal::copied_surface(indexing, surface, working.graph()), options, solver, visitor);
+  using Fit = internal::Adaptive_fit<Kernel, std::decay_t<decltype(solver)>, decltype(reference)>;
+  const typename Fit::Level_observer observer =
+      choose_parameter(get_parameter(np, np_tags::level_observer), typename Fit::Level_observer());
+  Fit fit(working, internal::copied_surface(indexing, surface, working.graph(), progress), reference, options, solver,
+          observer, progress);
   fit.run(report);
   if (report.success())
     spline = T_spline<Kernel>(fit.best());
   return report;
+}
+
+/// \ingroup PkgTSplinesSpline
+/// does the same for a mesh that is not at hand: the surface is measured against the triangles of `surface`, of which the
+/// report names the faces of `surface.mesh()`.
+template <typename TMesh, typename Kernel, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+auto fit_adaptive_T_spline(const TMesh& t_mesh, const Carried_surface<T_mesh_graph<TMesh>>& surface,
+                           const double tolerance, T_spline<Kernel>& spline,
+                           const NamedParameters& np = CGAL::parameters::default_values())
+{
+  return fit_adaptive_T_spline(t_mesh, surface, surface.mesh(), tolerance, spline, np);
 }
 
 } // namespace T_splines

@@ -9,10 +9,11 @@
 #include <CGAL/T_splines/Spline/internal/Homogeneous_vector.h>
 #include <CGAL/T_splines/Spline/internal/Knot_line.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/converted_number.h>
 #include <CGAL/T_splines/internal/exactness.h>
 #include <CGAL/T_splines/named_parameters.h>
@@ -76,15 +77,15 @@ public:
 
   // Looks at everything and changes nothing.
   template <typename NamedParameters>
-  Report prepare(const face_descriptor f, const int axis, const Knot& x, const NamedParameters& np)
+  Report prepare(const face_descriptor f, const int axis, const Knot& x, const NamedParameters& np, Progress& progress)
   {
     Report report;
-    if (!is_known_admissible(m_t_mesh, np, report.compatibility)) {
+    if (!is_known_admissible(m_t_mesh, np, progress, report.compatibility)) {
       report.status = Knot_insertion_status::NOT_SPLINE_COMPATIBLE;
       return report;
     }
     const Mesh_indexing<Graph> indexing(m_t_mesh.graph());
-    Spline_structure<Knot> structure(indexing, m_t_mesh);
+    Spline_structure<Knot> structure(indexing, m_t_mesh, progress);
     Spline_defect defect = defect_before_supports(structure);
     if (!defect)
       defect = structure.find_supports([](int, const Basis_support<Knot>&) {});
@@ -113,10 +114,10 @@ public:
   }
 
   // pre: prepare() succeeded
-  template <typename Visitor>
-  void run(const Visitor& visitor) const
+  template <typename Observer>
+  void run(const Observer& observer) const
   {
-    T_mesh_editor editor(m_t_mesh, visitor);
+    T_mesh_editor editor(m_t_mesh, observer);
     for (const Row& row : m_rows) {
       const auto edit = editor.insert_vertex(row.new_vertex.halfedge, row.new_vertex.distance);
       CGAL_assertion(bool(edit));
@@ -241,15 +242,20 @@ private:
 /// \param np an optional sequence of named parameters among these:
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{visitor}
+///   \cgalParamNBegin{observer}
 ///     \cgalParamDescription{what follows the changes of the T-mesh}
-///     \cgalParamType{a model of `TMeshVisitor`, copied}
-///     \cgalParamDefault{`T_mesh_visitor`}
+///     \cgalParamType{a model of `TMeshObserver`, copied}
+///     \cgalParamDefault{`T_mesh_observer`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{relative_tolerance}
 ///     \cgalParamDescription{as for `is_admissible()`}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-9, and 0 for exact number types}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
@@ -271,9 +277,14 @@ insert_knot_line(TMesh&& t_mesh, const ControlPointMap control_points,
   using CGAL::parameters::get_parameter;
   CGAL_precondition_msg(axis == 0 || axis == 1, "the axis is neither 0 nor 1");
   internal::Knot_line_insertion<T_mesh_view_of<TMesh>, ControlPointMap> insertion(t_mesh, control_points);
-  const auto report = insertion.prepare(f, axis, x, np);
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("knot insertion");
+  auto report = insertion.prepare(f, axis, x, np, progress);
+  if (!progress.go_on())
+    report.status = Knot_insertion_status::INTERRUPTED;
   if (report)
-    insertion.run(choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor()));
+    insertion.run(choose_parameter(get_parameter(np, np_tags::observer), T_mesh_observer()));
   return report;
 }
 

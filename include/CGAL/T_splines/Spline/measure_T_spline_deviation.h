@@ -14,6 +14,7 @@
 #include <CGAL/T_splines/Spline/internal/Measured_mesh.h>
 #include <CGAL/T_splines/Spline/internal/Measured_surface.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -42,12 +43,14 @@ class Deviation_measurement {
 
 public:
   /// \param reading of the mesh: successful
+  /// \param progress it must outlive this; if it is interrupted, what is reported means nothing
   /// \pre the surface has faces and is finite
   Deviation_measurement(const Measured_mesh& mesh, const Triangle_reading<TriangleMesh>& reading, Measured& surface,
-                        Report& report)
+                        Progress& progress, Report& report)
     : m_mesh(mesh),
       m_reading(reading),
       m_surface(surface),
+      m_progress(progress),
       m_report(report),
       m_extent(mesh.triangles.extent()),
       m_face_deviations(surface.compiled().indexing().number_of_faces(), 0.),
@@ -57,16 +60,24 @@ public:
 
   void measure_surface()
   {
-    Distances_to_mesh<Measured> distances(m_surface, m_mesh.tree, negligible(), smallest_size());
+    Distances_to_mesh<Measured> distances(m_surface, m_mesh.tree, negligible(), smallest_size(), m_progress);
     Fold_search<Measured> folds(m_surface, m_mesh.tree, m_mesh.normals, reach_of_doubt());
     Distance_sum sum(m_report.tolerance);
     const auto visit = [&](const Surface_sample& sample, const double distance) {
       attribute(m_surface.domain(sample.patch).face, distance);
       folds.visit(sample);
     };
-    distances.measure(number_of_surface_samples(), sum, visit);
+    {
+      const Progress::Part part(m_progress, 0, 0.6);
+      distances.measure(number_of_surface_samples(), sum, visit);
+    }
     distances.search(number_of_steps(), visit);
-    folds.search();
+    {
+      const Progress::Part part(m_progress, 0.7, 1);
+      folds.search(m_progress);
+    }
+    if (!m_progress.go_on())
+      return;
 
     One_way_deviation& result = m_report.surface_to_mesh;
     const Surface_sample& farthest = distances.farthest();
@@ -88,13 +99,16 @@ public:
 
   void measure_mesh()
   {
-    m_surface.prepare();
-    Distances_to_surface<Measured> distances(m_mesh.triangles, m_surface, negligible(), smallest_size());
+    if (!m_surface.prepare(m_progress))
+      return;
+    Distances_to_surface<Measured> distances(m_mesh.triangles, m_surface, negligible(), smallest_size(), m_progress);
     using Sample = typename Distances_to_surface<Measured>::Sample;
     Distance_sum sum(m_report.tolerance);
     const auto visit = [&](const Sample& sample) { attribute(sample.foot.face, sample.foot.distance); };
     distances.measure(number_of_mesh_samples(), sum, m_vertex_distances, visit);
     distances.search(number_of_steps(), visit);
+    if (!m_progress.go_on())
+      return;
 
     One_way_deviation& result = m_report.mesh_to_surface;
     const Sample& farthest = distances.farthest();
@@ -171,22 +185,12 @@ private:
   const Measured_mesh& m_mesh;
   const Triangle_reading<TriangleMesh>& m_reading;
   Measured& m_surface;
+  Progress& m_progress;
   Report& m_report;
   double m_extent;
   std::vector<double> m_vertex_distances, m_face_deviations;
   std::vector<Fold_state> m_face_states;
 };
-
-/// The compiled surface, or the surface itself if it is one: a reference then.
-template <typename Surface>
-decltype(auto) as_compiled(const Surface& surface)
-{
-  using Compiled = Compiled_T_spline<typename Surface::Graph, typename Surface::Kernel>;
-  if constexpr (std::is_same<Surface, Compiled>::value)
-    return (surface);
-  else
-    return compile_T_spline(surface);
-}
 
 } // namespace internal
 
@@ -218,7 +222,8 @@ decltype(auto) as_compiled(const Surface& surface)
 ///     \cgalParamExtra{Points of any kernel; the distances are computed in doubles.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tolerance}
-///     \cgalParamDescription{the distance that is allowed, a length}
+///     \cgalParamDescription{the distance that is allowed, by the longest side of the bounding box of the mesh; the report has
+///       it as a length}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{infinite}
 ///   \cgalParamNEnd
@@ -240,6 +245,11 @@ decltype(auto) as_compiled(const Surface& surface)
 ///     \cgalParamType{a model of `WritablePropertyMap`, face of the T-mesh -> `bool`}
 ///     \cgalParamDefault{none is written}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the distances and angles, or why there are none. `Mesh_distance` tells the distances of other points from the
@@ -260,7 +270,14 @@ measure_T_spline_deviation(const Surface& surface, const TriangleMesh& mesh,
   const auto fold_map = get_parameter(np, np_tags::face_is_folded_map);
 
   T_spline_deviation_report<typename Surface::Graph, TriangleMesh> report;
-  report.tolerance = choose_parameter(get_parameter(np, np_tags::tolerance), (std::numeric_limits<double>::infinity)());
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("preparation");
+  const auto is_interrupted = [&] {
+    if (!progress.go_on())
+      report.status = T_spline_deviation_status::INTERRUPTED;
+    return progress.is_interrupted();
+  };
   internal::Triangle_set triangles;
   const auto reading = internal::read_triangle_set(mesh, point_map, triangles);
   report.status = reading.status;
@@ -268,8 +285,17 @@ measure_T_spline_deviation(const Surface& surface, const TriangleMesh& mesh,
   report.face = reading.face;
   if (!report.success())
     return report;
-  const Compiled& compiled = internal::as_compiled(surface);
-  internal::Measured_surface<Compiled> measured(compiled);
+  constexpr double infinity = (std::numeric_limits<double>::infinity)();
+  const double tolerance = choose_parameter(get_parameter(np, np_tags::tolerance), infinity);
+  report.tolerance = tolerance < infinity ? tolerance * triangles.extent() : infinity;
+  if (is_interrupted())
+    return report;
+  const Compiled& compiled = internal::as_compiled(surface, progress);
+  if (is_interrupted())
+    return report;
+  internal::Measured_surface<Compiled> measured(compiled, progress);
+  if (is_interrupted())
+    return report;
   if (measured.number_of_patches() == 0)
     report.status = T_spline_deviation_status::SURFACE_WITHOUT_FACES;
   else if (!measured.is_finite())
@@ -277,10 +303,19 @@ measure_T_spline_deviation(const Surface& surface, const TriangleMesh& mesh,
   if (!report.success())
     return report;
 
-  const internal::Measured_mesh measured_mesh(std::move(triangles));
-  internal::Deviation_measurement<Compiled, TriangleMesh> measurement(measured_mesh, reading, measured, report);
+  const internal::Measured_mesh measured_mesh(std::move(triangles), progress);
+  if (is_interrupted())
+    return report;
+  internal::Deviation_measurement<Compiled, TriangleMesh> measurement(measured_mesh, reading, measured, progress,
+                                                                      report);
+  progress.begin_stage("surface to mesh");
   measurement.measure_surface();
+  if (is_interrupted())
+    return report;
+  progress.begin_stage("mesh to surface");
   measurement.measure_mesh();
+  if (is_interrupted())
+    return report;
   if constexpr (!internal::is_missing<decltype(distance_map)>)
     for (std::size_t i = 0; i < reading.vertices.size(); ++i)
       put(distance_map, reading.vertices[i], measurement.vertex_distances()[i]);

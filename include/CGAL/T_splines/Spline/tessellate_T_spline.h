@@ -4,14 +4,17 @@
 #ifndef CGAL_T_SPLINES_SPLINE_TESSELLATE_T_SPLINE_H
 #define CGAL_T_SPLINES_SPLINE_TESSELLATE_T_SPLINE_H
 
+#include <CGAL/T_splines/Spline/Tessellation_resolution.h>
 #include <CGAL/T_splines/Spline/internal/Face_tessellation.h>
+#include <CGAL/T_splines/Spline/internal/divisions_of_faces.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
+#include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/graph_checks.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/assertions.h>
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -19,7 +22,6 @@
 
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <type_traits>
 #include <vector>
 
@@ -42,17 +44,28 @@ struct T_spline_tessellation {
 /// points, T-joints included.
 /// \tparam Surface a `T_spline_surface` or a `Compiled_T_spline`
 /// \param surface \pre it is valid
-/// \param resolution n >= 2: each side of a face is divided into at least n parts, its inside into n x n cells
+/// \param resolution how finely: an `int` n >= 2, or `Tessellation_resolution::within()` a distance
+/// \param np optional named parameters: `CGAL::parameters::visitor`: a model of `ProgressVisitor`. If it stops the work, the
+///        result is empty
 /// \return places and triangles; evaluate the surface there: `surface.positions(tessellation.places, ...)`.
 ///
 /// Complexity: linear in the size of the result.
-template <typename Surface>
-T_spline_tessellation<typename Surface::Graph, typename Surface::FT> tessellate_parameter_domain(const Surface& surface,
-                                                                                                 const int resolution)
+template <typename Surface, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+T_spline_tessellation<typename Surface::Graph, typename Surface::FT>
+tessellate_parameter_domain(const Surface& surface, const Tessellation_resolution& resolution,
+                            const NamedParameters& np = CGAL::parameters::default_values())
 {
-  CGAL_precondition_msg(resolution >= 2, "the resolution must be at least 2");
-  const internal::Face_tessellation<typename Surface::FT> faces(surface.t_mesh_arrays(), resolution);
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("tessellation");
   T_spline_tessellation<typename Surface::Graph, typename Surface::FT> result;
+  if (!progress.go_on())
+    return result;
+  const internal::Face_tessellation<typename Surface::FT> faces(
+      surface.t_mesh_arrays(), internal::divisions_of_faces(surface, resolution, progress), progress);
+  progress.progress(0.7);
+  if (!progress.go_on())
+    return result;
   result.places.reserve(faces.places().size());
   for (const auto& place : faces.places())
     result.places.push_back({surface.indexing().face(place.face), place.u, place.v});
@@ -63,14 +76,62 @@ T_spline_tessellation<typename Surface::Graph, typename Surface::FT> tessellate_
   return result;
 }
 
+/// \ingroup PkgTSplinesSpline
+/// How `tessellate_T_spline()` ended.
+enum class T_spline_tessellation_status {
+  TESSELLATED,      ///< the mesh has the triangles
+  OUTPUT_NOT_EMPTY, ///< the mesh that is to receive them is not empty; it is left as it is
+  INTERRUPTED       ///< the visitor asked to stop; the mesh is empty
+};
+
+/// \ingroup PkgTSplinesSpline
+/// returns one sentence that explains `status`.
+inline const char* message(const T_spline_tessellation_status status)
+{
+  switch (status) {
+  case T_spline_tessellation_status::TESSELLATED: return "the surface was tessellated";
+  case T_spline_tessellation_status::OUTPUT_NOT_EMPTY: return "the mesh that is to receive the triangles is not empty";
+  case T_spline_tessellation_status::INTERRUPTED: return "interrupted by the visitor";
+  }
+  return "";
+}
+
+/// \ingroup PkgTSplinesSpline
+/// What `tessellate_T_spline()` did.
+struct T_spline_tessellation_report {
+  T_spline_tessellation_status status = T_spline_tessellation_status::TESSELLATED; ///< how it ended
+
+  /// returns whether `status` tells of success.
+  bool success() const { return status == T_spline_tessellation_status::TESSELLATED; }
+  /// converts to `true` upon success.
+  explicit operator bool() const { return success(); }
+};
+
 namespace internal {
+
+/// Takes all elements out of a graph. Its property maps stay.
+template <typename Graph>
+void remove_all_elements(Graph& graph)
+{
+  const auto all_faces = faces(graph);
+  const auto all_edges = edges(graph);
+  const auto all_vertices = vertices(graph);
+  using Traits = boost::graph_traits<Graph>;
+  for (const auto f : std::vector<typename Traits::face_descriptor>(all_faces.begin(), all_faces.end()))
+    remove_face(f, graph);
+  for (const auto e : std::vector<typename Traits::edge_descriptor>(all_edges.begin(), all_edges.end()))
+    remove_edge(e, graph);
+  for (const auto v : std::vector<typename Traits::vertex_descriptor>(all_vertices.begin(), all_vertices.end()))
+    remove_vertex(v, graph);
+}
 
 /// What `tessellate_T_spline()` does with the parameter domain tessellated. Vertices and faces are added in the order of
 /// the places and the triangles.
+/// \return false if `progress` is interrupted; then the mesh is empty again
 template <typename Surface, typename TriangleMesh, typename NamedParameters>
-void add_tessellation(const Surface& surface,
+bool add_tessellation(const Surface& surface,
                       const T_spline_tessellation<typename Surface::Graph, typename Surface::FT>& tessellation,
-                      TriangleMesh& mesh, const NamedParameters& np)
+                      TriangleMesh& mesh, const NamedParameters& np, Progress& progress)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -80,25 +141,42 @@ void add_tessellation(const Surface& surface,
   const auto place_map = get_parameter(np, np_tags::vertex_place_map);
   using Point_3 = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
 
-  std::vector<typename Surface::Point_3> positions;
-  positions.reserve(tessellation.places.size());
-  surface.positions(tessellation.places, std::back_inserter(positions));
+  constexpr std::size_t work = 10; // for a vertex or face
+  const auto& places = tessellation.places;
   std::vector<Point_3> points;
-  points.reserve(positions.size());
-  for (const auto& p : positions)
+  points.reserve(places.size());
+  for (const auto& place : places) {
+    const auto p = surface.position(place.face, place.u, place.v);
     points.emplace_back(p.x(), p.y(), p.z());
-  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, tessellation.triangles, mesh,
-                                                              CGAL::parameters::default_values(),
-                                                              CGAL::parameters::vertex_point_map(point_map));
-  std::size_t i = 0; // vertices are added in the order of the points
-  for ([[maybe_unused]] const auto v : CGAL::make_range(vertices(mesh))) {
-    CGAL_assertion(get(point_map, v) == points[i]);
-    [[maybe_unused]] const auto& place = tessellation.places[i++];
-    if constexpr (!is_missing<decltype(normal_map)>)
-      put(normal_map, v, surface.unit_normal(place.face, place.u, place.v));
-    if constexpr (!is_missing<decltype(place_map)>)
-      put(place_map, v, place);
+    if (!progress.go_on_after(work))
+      return false;
   }
+  progress.progress(0.5);
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices;
+  vertices.reserve(places.size());
+  using Size = typename boost::graph_traits<TriangleMesh>::faces_size_type;
+  reserve(mesh, static_cast<Size>(places.size()), static_cast<Size>(places.size() + tessellation.triangles.size()),
+          static_cast<Size>(tessellation.triangles.size()));
+  for (std::size_t i = 0; i < places.size() && progress.go_on_after(work); ++i) {
+    vertices.push_back(add_vertex(mesh));
+    put(point_map, vertices.back(), points[i]);
+    if constexpr (!is_missing<decltype(normal_map)>)
+      put(normal_map, vertices.back(), surface.unit_normal(places[i].face, places[i].u, places[i].v));
+    if constexpr (!is_missing<decltype(place_map)>)
+      put(place_map, vertices.back(), places[i]);
+  }
+  for (const std::array<std::size_t, 3>& t : tessellation.triangles) {
+    if (!progress.go_on_after(work)) {
+      internal::remove_all_elements(mesh);
+      return false;
+    }
+    CGAL::Euler::add_face(std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 3>{vertices[t[0]],
+                                                                                                       vertices[t[1]],
+                                                                                                       vertices[t[2]]},
+                          mesh);
+  }
+  progress.progress(1);
+  return true;
 }
 
 } // namespace internal
@@ -108,8 +186,8 @@ void add_tessellation(const Surface& surface,
 /// \tparam Surface a `T_spline_surface` or a `Compiled_T_spline`
 /// \tparam TriangleMesh a model of `MutableFaceGraph`
 /// \param surface \pre it is valid
-/// \param resolution n >= 2: each side of a face is divided into at least n parts, its inside into n x n cells
-/// \param mesh receives the triangles. \pre it is empty
+/// \param resolution how finely: an `int` n >= 2, or `Tessellation_resolution::within()` a distance
+/// \param mesh receives the triangles; it must be empty, without removed elements, too
 /// \param np an optional sequence of named parameters among these:
 ///
 /// \cgalNamedParamsBegin
@@ -131,16 +209,39 @@ void add_tessellation(const Surface& surface,
 ///       `T_mesh_place<Graph, FT>`}
 ///     \cgalParamDefault{none is written}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \return how it ended
 /// Complexity: linear in the size of the result, for a `T_spline_surface` times the number of basis functions of a
 /// face.
 template <typename Surface, typename TriangleMesh,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-void tessellate_T_spline(const Surface& surface, const int resolution, TriangleMesh& mesh,
-                         const NamedParameters& np = CGAL::parameters::default_values())
+T_spline_tessellation_report tessellate_T_spline(const Surface& surface, const Tessellation_resolution& resolution,
+                                                 TriangleMesh& mesh,
+                                                 const NamedParameters& np = CGAL::parameters::default_values())
 {
-  internal::add_tessellation(surface, tessellate_parameter_domain(surface, resolution), mesh, np);
+  T_spline_tessellation_report report;
+  if (!internal::is_output_graph(mesh)) {
+    report.status = T_spline_tessellation_status::OUTPUT_NOT_EMPTY;
+    return report;
+  }
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("tessellation");
+  const auto domain = [&] {
+    const internal::Progress::Part part(progress, 0, 0.3);
+    return tessellate_parameter_domain(surface, resolution,
+                                       CGAL::parameters::visitor(internal::Part_visitor(progress)));
+  }();
+  const internal::Progress::Part part(progress, 0.3, 1);
+  if (!progress.go_on() || !internal::add_tessellation(surface, domain, mesh, np, progress))
+    report.status = T_spline_tessellation_status::INTERRUPTED;
+  return report;
 }
 
 } // namespace T_splines

@@ -4,7 +4,12 @@
 #ifndef CGAL_T_SPLINES_T_MESH_ADMISSIBILITY_REPORT_H
 #define CGAL_T_SPLINES_T_MESH_ADMISSIBILITY_REPORT_H
 
+#include <CGAL/T_splines/internal/element_numbers.h>
+
 #include <boost/graph/graph_traits.hpp>
+
+#include <sstream>
+#include <string>
 
 namespace CGAL {
 namespace T_splines {
@@ -12,12 +17,13 @@ namespace T_splines {
 /// \ingroup PkgTSplinesTMesh
 /// Whether halfedge knots are admissible on a T-mesh, and if not, why.
 enum class Admissibility_status {
-  ADMISSIBLE,              ///< all conditions hold
-  NON_POSITIVE_KNOT,       ///< the knot interval of `halfedge`, of `face`, is `defect`, not positive
-  KNOT_NOT_FINITE,         ///< the knot interval of `halfedge`, of `face`, is infinite or not a number
-  WRONG_CORNER_COUNT,      ///< `face` has `number_of_corners` corners instead of four
-  OPPOSITE_SIDES_DIFFER,   ///< two opposite sides of `face` differ; `halfedge` begins the one that `defect` is about
-  CYCLE_CONDITION_VIOLATED ///< the product of the knot ratios around `vertex` is `1 + defect`
+  ADMISSIBLE,               ///< all conditions hold
+  NON_POSITIVE_KNOT,        ///< the knot interval of `halfedge`, of `face`, is `defect`, not positive
+  KNOT_NOT_FINITE,          ///< the knot interval of `halfedge`, of `face`, is infinite or not a number
+  WRONG_CORNER_COUNT,       ///< `face` has `number_of_corners` corners instead of four
+  OPPOSITE_SIDES_DIFFER,    ///< two opposite sides of `face` differ; `halfedge` begins the one that `defect` is about
+  CYCLE_CONDITION_VIOLATED, ///< the product of the knot ratios around `vertex` is `1 + defect`
+  INTERRUPTED               ///< the visitor asked to stop
 };
 
 /// \ingroup PkgTSplinesTMesh
@@ -32,6 +38,7 @@ inline const char* message(const Admissibility_status status)
   case Admissibility_status::OPPOSITE_SIDES_DIFFER: return "two opposite sides of a face have different lengths";
   case Admissibility_status::CYCLE_CONDITION_VIOLATED:
     return "the product of the ratios of opposite knot intervals around a vertex is not 1";
+  case Admissibility_status::INTERRUPTED: return "interrupted by the visitor";
   }
   return "";
 }
@@ -56,6 +63,39 @@ struct Admissibility_report {
   /// converts to `true` upon success.
   explicit operator bool() const { return success(); }
 };
+
+/// \ingroup PkgTSplinesTMesh
+/// returns what `report` says, with the numbers of the elements concerned, counted from 0. Complexity: linear in the
+/// size of the T-mesh.
+template <typename Graph>
+std::string describe(const Admissibility_report<Graph>& report, const Graph& graph)
+{
+  using Status = Admissibility_status;
+  std::ostringstream text;
+  text << message(report.status);
+  switch (report.status) {
+  case Status::ADMISSIBLE:
+  case Status::INTERRUPTED: break;
+  case Status::NON_POSITIVE_KNOT:
+  case Status::KNOT_NOT_FINITE:
+    text << ": " << internal::edge_in_words(report.halfedge, graph) << " of "
+         << internal::face_in_words(report.face, graph) << ", counted from 0";
+    if (report.status == Status::NON_POSITIVE_KNOT)
+      text << ", has " << report.defect;
+    break;
+  case Status::WRONG_CORNER_COUNT:
+    text << ": " << internal::face_in_words(report.face, graph) << ", counted from 0, has " << report.number_of_corners;
+    break;
+  case Status::OPPOSITE_SIDES_DIFFER:
+    text << ": " << internal::face_in_words(report.face, graph) << ", counted from 0 (off by " << report.defect << ")";
+    break;
+  case Status::CYCLE_CONDITION_VIOLATED:
+    text << ": " << internal::vertex_in_words(report.vertex, graph) << ", counted from 0 (off by " << report.defect
+         << ")";
+    break;
+  }
+  return text.str();
+}
 
 } // namespace T_splines
 } // namespace CGAL

@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_T_MESH_CARRIED_POINTS_H
 #define CGAL_T_SPLINES_T_MESH_CARRIED_POINTS_H
 
-#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -24,7 +24,7 @@ namespace T_splines {
 /// \ingroup PkgTSplinesTMesh
 /// Points in the faces of a T-mesh that stay where they are on the surface while the T-mesh changes under them.
 ///
-/// Give `visitor()` to the operations that change the T-mesh; each takes time linear in the number of points in the
+/// Give `observer()` to the operations that change the T-mesh; each takes time linear in the number of points in the
 /// faces that it touches.
 /// \tparam Graph a model of `FaceGraph`
 /// \tparam NT the number type of the points' coordinates: `double`, or an exact one
@@ -43,13 +43,13 @@ public:
     Payload payload; ///< what goes with the point
   };
 
-  /// The visitor that moves the points from old faces to new ones, a model of `TMeshVisitor`. It refers to the points.
+  /// The observer that moves the points from old faces to new ones, a model of `TMeshObserver`. It refers to the points.
   ///
-  /// \cgalModels{TMeshVisitor}
-  class Visitor : public T_mesh_visitor {
+  /// \cgalModels{TMeshObserver}
+  class Observer : public T_mesh_observer {
   public:
     /// refers to `points`.
-    explicit Visitor(Carried_points& points) : m_points(&points) {}
+    explicit Observer(Carried_points& points) : m_points(&points) {}
 
     /// follows the change of faces.
     template <typename FT>
@@ -75,8 +75,8 @@ public:
     return found == m_points.end() ? m_none : found->second;
   }
 
-  /// returns the visitor that keeps it up to date; it refers to this object.
-  Visitor visitor() { return Visitor(*this); }
+  /// returns the observer that keeps it up to date; it refers to this object.
+  Observer observer() { return Observer(*this); }
 
   /// moves the points of the faces that are listed as `from`, each by its piece. Round-off may leave a point outside of
   /// all pieces by a little: it goes by the one that it is closest to.

@@ -5,11 +5,12 @@
 #define CGAL_T_SPLINES_T_MESH_CARRIED_SURFACE_H
 
 #include <CGAL/T_splines/Similarity_map/Similarity_2.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/internal/triangle_meets_rectangle.h>
 #include <CGAL/T_splines/internal/converted_number.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <boost/container_hash/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
@@ -30,7 +31,7 @@ namespace T_splines {
 /// triangles each face covers, and where they are in its frame. So every place in a face is a point of the surface.
 ///
 /// `carry_surface()` makes one of a map and the T-mesh that was traced on it; for surfaces of other origin, points,
-/// triangles and images are added one by one. Give `visitor()` to the operations that change the T-mesh; each takes
+/// triangles and images are added one by one. Give `observer()` to the operations that change the T-mesh; each takes
 /// time n log n in the number of images in the faces that it touches.
 /// \tparam Graph_ a model of `FaceGraph`
 template <typename Graph_>
@@ -49,13 +50,13 @@ public:
     std::array<Parameters, 3> corners; ///< of the three points, u and v; counter-clockwise
   };
 
-  /// The visitor that moves the images from old faces to new ones, a model of `TMeshVisitor`. It refers to the surface.
+  /// The observer that moves the images from old faces to new ones, a model of `TMeshObserver`. It refers to the surface.
   ///
-  /// \cgalModels{TMeshVisitor}
-  class Visitor : public T_mesh_visitor {
+  /// \cgalModels{TMeshObserver}
+  class Observer : public T_mesh_observer {
   public:
     /// refers to `surface`.
-    explicit Visitor(Carried_surface& surface) : m_surface(&surface) {}
+    explicit Observer(Carried_surface& surface) : m_surface(&surface) {}
 
     /// follows the change of faces.
     template <typename FT>
@@ -98,8 +99,23 @@ public:
     return found == m_images.end() ? m_none : found->second;
   }
 
-  /// returns the visitor that keeps it up to date; it refers to this object.
-  Visitor visitor() { return Visitor(*this); }
+  /// returns the triangles as a mesh, whose vertices and faces are numbered as the points and the triangles.
+  CGAL::Surface_mesh<Point_3> mesh() const
+  {
+    using Mesh = CGAL::Surface_mesh<Point_3>;
+    using Size = typename Mesh::size_type;
+    Mesh result;
+    for (const Point_3& p : m_points)
+      result.add_vertex(p);
+    for (const Triangle& t : m_triangles)
+      result.add_face(typename Mesh::Vertex_index(static_cast<Size>(t[0])),
+                      typename Mesh::Vertex_index(static_cast<Size>(t[1])),
+                      typename Mesh::Vertex_index(static_cast<Size>(t[2])));
+    return result;
+  }
+
+  /// returns the observer that keeps it up to date; it refers to this object.
+  Observer observer() { return Observer(*this); }
 
   /// moves the images of the faces that are listed as `from`: by each piece whose rectangle they meet.
   template <typename FT>

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/T_mesh/Tracing_traits.h>
 
 #include <cstddef>
+#include <string>
 
 namespace CGAL {
 namespace T_splines {
@@ -14,8 +15,9 @@ namespace T_splines {
 /// \ingroup PkgTSplinesTMesh
 /// How the tracing of a motorcycle graph ended.
 enum class Motorcycle_graph_status {
-  SUCCESS,
+  SUCCESS,           ///< the T-mesh was written
   EMPTY_MAP,         ///< the map has no faces
+  OUTPUT_NOT_EMPTY,  ///< the T-mesh to write has elements, or removed ones; nothing was traced
   INTERRUPTED,       ///< the visitor asked to stop
   TRACE_LOST,        ///< a trace leaves a triangle nowhere: the map is not seamless, or the predicates are not exact
   TRACE_WITHOUT_END, ///< a trace does not end in spite of the seeds set in its way: the same
@@ -29,6 +31,8 @@ inline const char* message(const Motorcycle_graph_status status)
   switch (status) {
   case Motorcycle_graph_status::SUCCESS: return "the motorcycle graph is a T-mesh";
   case Motorcycle_graph_status::EMPTY_MAP: return "the map has no faces";
+  case Motorcycle_graph_status::OUTPUT_NOT_EMPTY:
+    return "the T-mesh that receives the motorcycle graph is not empty; give a new one";
   case Motorcycle_graph_status::INTERRUPTED: return "interrupted";
   case Motorcycle_graph_status::TRACE_LOST: return "a trace enters a triangle and leaves it nowhere";
   case Motorcycle_graph_status::TRACE_WITHOUT_END: return "a trace does not end";
@@ -49,7 +53,24 @@ struct Motorcycle_graph_report {
 
   /// returns whether `status` tells of success.
   bool success() const { return status == Motorcycle_graph_status::SUCCESS; }
+  /// converts to `true` upon success.
+  explicit operator bool() const { return success(); }
 };
+
+/// \ingroup PkgTSplinesTMesh
+/// returns what `report` says; of a trace that went wrong, after how much work, and what can be done.
+inline std::string describe(const Motorcycle_graph_report& report)
+{
+  switch (report.status) {
+  case Motorcycle_graph_status::TRACE_LOST:
+  case Motorcycle_graph_status::TRACE_WITHOUT_END:
+  case Motorcycle_graph_status::NO_T_MESH:
+    return message(report.status) + (" (" + std::to_string(report.motorcycles) + " motorcycles, ") +
+           std::to_string(report.crossed_faces) +
+           " crossed triangles); use the exact predicates of Exact_tracing_traits";
+  default: return message(report.status);
+  }
+}
 
 } // namespace T_splines
 } // namespace CGAL

@@ -27,7 +27,8 @@ enum class Spline_compatibility_status {
   IRREGULAR_RINGS,           ///< A: the three rings around `vertex`, extraordinary, are not regular at `face`
   BORDER_IN_RINGS,      ///< A: the border is so close to `extraordinary_vertex` that knots of `vertex` are not uniform
   SUPPORT_REACHES_CONE, ///< B: the support of `vertex` reaches `face`, incident to `extraordinary_vertex`
-  ENDLESS_SUPPORT       ///< B: the support of `vertex` winds around a point that is not on the surface, over `face`
+  ENDLESS_SUPPORT,      ///< B: the support of `vertex` winds around a point that is not on the surface, over `face`
+  INTERRUPTED           ///< the visitor asked to stop
 };
 
 /// \ingroup PkgTSplinesTMesh
@@ -50,6 +51,7 @@ inline const char* message(const Spline_compatibility_status status)
     return "condition B: the support of a vertex outside of the second ring reaches a face at an extraordinary vertex";
   case Spline_compatibility_status::ENDLESS_SUPPORT:
     return "condition B: the support of a vertex winds without an end around a point that is not on the surface";
+  case Spline_compatibility_status::INTERRUPTED: return "interrupted by the visitor";
   }
   return "";
 }
@@ -83,9 +85,9 @@ struct Spline_compatibility_report {
 template <typename Graph>
 std::string describe(const Spline_compatibility_report<Graph>& report, const Graph& graph)
 {
-  const bool is_inadmissible = report.status == Spline_compatibility_status::INADMISSIBLE;
-  return (is_inadmissible ? message(report.admissibility.status) : message(report.status)) +
-         internal::numbered_elements(graph, report.vertex, report.face);
+  if (report.status == Spline_compatibility_status::INADMISSIBLE)
+    return describe(report.admissibility, graph);
+  return message(report.status) + internal::numbered_elements(graph, report.vertex, report.face);
 }
 
 } // namespace T_splines

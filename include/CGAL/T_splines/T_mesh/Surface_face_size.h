@@ -57,7 +57,7 @@ private:
 /// each change of a face, the length of a parameter unit grows by a fifth at most, so that refinement ends. A face that
 /// had less than two points from the start has size zero: add its corners.
 ///
-/// Functions that change the T-mesh must be given `visitor()`.
+/// Functions that change the T-mesh must be given `observer()`.
 ///
 /// \cgalModels{TMeshFaceSize}
 ///
@@ -70,13 +70,13 @@ public:
   using Coordinates = T_mesh_coordinates<TMesh>;                 ///< coordinates in the faces
   using face_descriptor = typename Coordinates::face_descriptor; ///< a face of the graph
 
-  /// The visitor that follows the changes of the faces, those of the points included; a model of `TMeshVisitor`.
+  /// The observer that follows the changes of the faces, those of the points included; a model of `TMeshObserver`.
   ///
-  /// \cgalModels{TMeshVisitor}
-  class Visitor : public T_mesh_visitor {
+  /// \cgalModels{TMeshObserver}
+  class Observer : public T_mesh_observer {
   public:
     /// refers to `size`.
-    explicit Visitor(Surface_face_size& size) : m_size(&size) {}
+    explicit Observer(Surface_face_size& size) : m_size(&size) {}
 
     /// follows the change of faces.
     template <typename FT>
@@ -91,7 +91,7 @@ public:
 
   /// measures all faces.
   /// \param coordinates of the T-mesh
-  /// \param points all of them; they must outlive this, and are moved by `visitor()` from now on
+  /// \param points all of them; they must outlive this, and are moved by `observer()` from now on
   Surface_face_size(const Coordinates& coordinates, Points& points) : m_coordinates(coordinates), m_points(&points)
   {
     for (const face_descriptor f : faces(coordinates.t_mesh().graph())) {
@@ -100,8 +100,8 @@ public:
     }
   }
 
-  /// returns the visitor that keeps it up to date; it refers to this object.
-  Visitor visitor() { return Visitor(*this); }
+  /// returns the observer that keeps it up to date; it refers to this object.
+  Observer observer() { return Observer(*this); }
 
   /// returns the lengths of `f` along u and along v.
   std::pair<double, double> operator()(const face_descriptor f) const

@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/internal/Face_graph_writer.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/converted_number.h>
+#include <CGAL/T_splines/internal/graph_checks.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/assertions.h>
@@ -21,18 +22,19 @@ namespace T_splines {
 /// copies the connectivity of a T-mesh, its knots and its corners. The elements keep their order; points are not copied.
 /// \tparam FromTMesh, ToTMesh models of `TMesh`, the graphs of `FaceListGraph` and `VertexListGraph`, that of `to` of
 ///         `MutableFaceGraph`; knots are converted, exact ones to doubles rounded
-/// \pre `to` has no vertices
-///
-/// Complexity: linear.
+/// \param from what is copied
+/// \param to empty, without removed elements, too; otherwise it is left as it is
+/// \return whether `to` was empty. Complexity: linear.
 template <typename FromTMesh, typename ToTMesh>
-void copy_T_mesh(const FromTMesh& from, ToTMesh&& to)
+bool copy_T_mesh(const FromTMesh& from, ToTMesh&& to)
 {
   using Graph = T_mesh_graph<FromTMesh>;
   const Const_T_mesh_view_of<FromTMesh> source(from);
   const T_mesh_view_of<ToTMesh> result(to);
   using Knot = typename decltype(result)::FT;
   const Graph& graph = source.graph();
-  CGAL_precondition(num_vertices(result.graph()) == 0);
+  if (!internal::is_output_graph(result.graph()))
+    return false;
   const internal::Mesh_indexing<Graph> indexing(graph);
   internal::Face_graph_writer<T_mesh_graph<ToTMesh>> writer(
       result.graph(), indexing.number_of_vertices(), indexing.number_of_halfedges() / 2, indexing.number_of_faces());
@@ -48,6 +50,7 @@ void copy_T_mesh(const FromTMesh& from, ToTMesh&& to)
   }
   for (int f = 0; f < indexing.number_of_faces(); ++f)
     writer.set_halfedge_of_face(f, indexing.halfedge_index(halfedge(indexing.face(f), graph)));
+  return true;
 }
 
 /// \ingroup PkgTSplinesTMesh

@@ -6,8 +6,8 @@
 
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_edit.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/internal/Line_shift.h>
 #include <CGAL/T_splines/T_mesh/internal/T_mesh_surgery.h>
 #include <CGAL/T_splines/T_mesh/is_admissible.h>
@@ -34,9 +34,9 @@ namespace T_splines {
 /// With inexact knots, points whose distance is below 1e-11 of the sides they lie on count as one.
 /// \tparam TMesh a `T_mesh_view`, which the constructor finds for any model of `TMesh` whose graph is one of
 ///         `MutableFaceGraph`
-/// \tparam Visitor a model of `TMeshVisitor`; it is copied
+/// \tparam Observer a model of `TMeshObserver`; it is copied
 /// \tparam VertexIsConstrainedMap a readable map, vertex -> `bool`: vertices that are treated as extraordinary ones
-template <typename TMesh, typename Visitor = T_mesh_visitor,
+template <typename TMesh, typename Observer = T_mesh_observer,
           typename VertexIsConstrainedMap = CGAL::Static_boolean_property_map<typename TMesh::vertex_descriptor, false>>
 class T_mesh_editor {
 public:
@@ -50,9 +50,9 @@ public:
   using Overlap = T_mesh_overlap<Graph, FT>;                           ///< where two faces touch
 
   /// \pre the knots are admissible
-  explicit T_mesh_editor(const TMesh& t_mesh, const Visitor& visitor = Visitor(),
+  explicit T_mesh_editor(const TMesh& t_mesh, const Observer& observer = Observer(),
                          const VertexIsConstrainedMap vertex_is_constrained = VertexIsConstrainedMap())
-    : m_surgery(t_mesh, visitor),
+    : m_surgery(t_mesh, observer),
       m_t_mesh(t_mesh),
       m_graph(t_mesh.graph()),
       m_vertex_is_constrained(vertex_is_constrained)
@@ -232,7 +232,7 @@ public:
   /// \return `h`, or NO_FACE, FIXED_VERTEX, NO_FREE_LINE, LINE_MEETS_ITSELF, OUTSIDE
   Edit shift(const halfedge_descriptor h, const FT& delta)
   {
-    internal::Line_shift<TMesh, Visitor> line(m_surgery);
+    internal::Line_shift<TMesh, Observer> line(m_surgery);
     const T_mesh_edit_status status = line.shift(h, delta, [this](const vertex_descriptor v) { return is_fixed(v); });
     if (status != T_mesh_edit_status::DONE)
       return {status};
@@ -346,7 +346,7 @@ private:
     return result;
   }
 
-  internal::T_mesh_surgery<TMesh, Visitor> m_surgery;
+  internal::T_mesh_surgery<TMesh, Observer> m_surgery;
   TMesh m_t_mesh;
   Graph& m_graph;
   VertexIsConstrainedMap m_vertex_is_constrained;
@@ -356,12 +356,12 @@ private:
 template <typename TMesh>
 T_mesh_editor(TMesh&&) -> T_mesh_editor<T_mesh_view_of<TMesh>>;
 
-template <typename TMesh, typename Visitor>
-T_mesh_editor(TMesh&&, const Visitor&) -> T_mesh_editor<T_mesh_view_of<TMesh>, Visitor>;
+template <typename TMesh, typename Observer>
+T_mesh_editor(TMesh&&, const Observer&) -> T_mesh_editor<T_mesh_view_of<TMesh>, Observer>;
 
-template <typename TMesh, typename Visitor, typename VertexIsConstrainedMap>
-T_mesh_editor(TMesh&&, const Visitor&, VertexIsConstrainedMap)
-    -> T_mesh_editor<T_mesh_view_of<TMesh>, Visitor, VertexIsConstrainedMap>;
+template <typename TMesh, typename Observer, typename VertexIsConstrainedMap>
+T_mesh_editor(TMesh&&, const Observer&, VertexIsConstrainedMap)
+    -> T_mesh_editor<T_mesh_view_of<TMesh>, Observer, VertexIsConstrainedMap>;
 /// \endcond
 
 } // namespace T_splines

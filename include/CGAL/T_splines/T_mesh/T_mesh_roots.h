@@ -4,8 +4,8 @@
 #ifndef CGAL_T_SPLINES_T_MESH_T_MESH_ROOTS_H
 #define CGAL_T_SPLINES_T_MESH_T_MESH_ROOTS_H
 
+#include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
@@ -23,15 +23,15 @@ namespace T_splines {
 /// What holds a T-mesh to the surface while operations change it: of each component one point of a face, whose place
 /// on the surface is known.
 ///
-/// A model of `TMeshVisitor`: give it to the operations, and afterwards to `place_T_mesh()`. Copies share their state.
+/// A model of `TMeshObserver`: give it to the operations, and afterwards to `place_T_mesh()`. Copies share their state.
 ///
-/// \cgalModels{TMeshVisitor}
+/// \cgalModels{TMeshObserver}
 ///
 /// \tparam TriangleMesh the mapped mesh
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeGraph`
 /// \tparam FT the number type of the map
 template <typename TriangleMesh, typename Graph, typename FT>
-class T_mesh_roots : public T_mesh_visitor {
+class T_mesh_roots : public T_mesh_observer {
   using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
 
 public:

@@ -11,6 +11,8 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/internal/Chart_points.h>
 #include <CGAL/T_splines/T_mesh/internal/Face_triangles.h>
+#include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/graph_checks.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -39,9 +41,15 @@ namespace T_splines {
 ///       `%Point_3`}
 ///     \cgalParamDefault{the map of the mapped mesh for `CGAL::vertex_point`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the surface; its points and triangles are the vertices and faces of the mapped mesh, in their order.
+/// \return the surface; its points and triangles are the vertices and faces of the mapped mesh, in their order. If the
+/// visitor stopped the work, a surface without points and triangles.
 /// \pre neither the T-mesh nor its anchors have changed since it was traced
 ///
 /// Complexity: linear in the size of the mesh and in the number of times that faces meet triangles; quadratic in how
@@ -57,8 +65,13 @@ Carried_surface<T_mesh_graph<TMesh>> carry_surface(const Seamless_map<TriangleMe
   using Surface = Carried_surface<T_mesh_graph<TMesh>>;
   const auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, map.mesh()));
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("carried surface");
   const auto& mesh = map.layout().mesh();
   Surface surface;
+  if (!internal::are_anchored(map, t_mesh.graph(), anchors))
+    return surface;
   for (const std::array<double, 3>& p : internal::points_in_doubles(map.indexing(), point_map))
     surface.add_point({p[0], p[1], p[2]});
   for (int t = 0; t < mesh.number_of_faces(); ++t) {
@@ -67,20 +80,30 @@ Carried_surface<T_mesh_graph<TMesh>> carry_surface(const Seamless_map<TriangleMe
                           static_cast<std::size_t>(mesh.target(mesh.next(g)))});
   }
   const T_mesh_coordinates coordinates(t_mesh);
+  if (!progress.go_on())
+    return Surface();
   internal::Face_triangles<FT> triangles(map.layout());
   std::vector<typename Surface::face_descriptor> faces_in_order;
   for (const auto f : CGAL::make_range(faces(t_mesh.graph()))) {
     faces_in_order.push_back(f);
     const auto& anchor = get(anchors, f);
     triangles.add_face(map.indexing().face_index(anchor.triangle), anchor.to_face,
-                       CGAL::to_double(coordinates.width(f)), CGAL::to_double(coordinates.height(f)));
+                       CGAL::to_double(coordinates.width(f)), CGAL::to_double(coordinates.height(f)), progress);
+    progress.progress(0.7 * static_cast<double>(faces_in_order.size()) /
+                      static_cast<double>(num_faces(t_mesh.graph())));
+    if (progress.is_interrupted())
+      return Surface();
   }
   triangles.complete();
+  progress.progress(0.8);
+  if (!progress.go_on())
+    return Surface();
   triangles.for_each_image(
       [&](const int face, const int triangle, const std::array<typename Surface::Parameters, 3>& image) {
-        surface.add_image(faces_in_order[face], {static_cast<std::size_t>(triangle), image});
+        if (progress.go_on_after(2))
+          surface.add_image(faces_in_order[face], {static_cast<std::size_t>(triangle), image});
       });
-  return surface;
+  return progress.is_interrupted() ? Surface() : surface;
 }
 
 } // namespace T_splines

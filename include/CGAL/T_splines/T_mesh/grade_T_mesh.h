@@ -5,9 +5,11 @@
 #define CGAL_T_SPLINES_T_MESH_GRADE_T_MESH_H
 
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/internal/Split_position.h>
+#include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
@@ -23,6 +25,37 @@
 
 namespace CGAL {
 namespace T_splines {
+
+/// \ingroup PkgTSplinesTMesh
+/// How the grading of a T-mesh ended.
+enum class T_mesh_grading_status {
+  GRADED,     ///< the sizes change gradually
+  INTERRUPTED ///< the visitor asked to stop; the T-mesh has the splits so far, and is admissible
+};
+
+/// \ingroup PkgTSplinesTMesh
+/// returns one sentence that explains `status`.
+inline const char* message(const T_mesh_grading_status status)
+{
+  switch (status) {
+  case T_mesh_grading_status::GRADED: return "the sizes of the faces change gradually";
+  case T_mesh_grading_status::INTERRUPTED: return "interrupted by the visitor";
+  }
+  return "";
+}
+
+/// \ingroup PkgTSplinesTMesh
+/// What `grade_T_mesh()` did.
+struct T_mesh_grading_report {
+  T_mesh_grading_status status = T_mesh_grading_status::GRADED; ///< how it ended
+  std::size_t splits = 0;                                       ///< each adds one face
+
+  /// returns whether `status` tells of success.
+  bool success() const { return status == T_mesh_grading_status::GRADED; }
+  /// converts to `true` upon success.
+  explicit operator bool() const { return success(); }
+};
+
 namespace internal {
 
 // Splits faces that are too large for one of their neighbours.
@@ -43,12 +76,20 @@ public:
   {
   }
 
-  std::size_t run(const double ratio)
+  T_mesh_grading_report run(const double ratio, Progress& progress)
   {
+    constexpr std::size_t work_per_face = 20, work_per_split = 1000;
     const auto range = faces(m_graph);
     std::vector<face_descriptor> stack(range.begin(), range.end());
-    std::size_t splits = 0;
+    const double number_of_faces = static_cast<double>(stack.size());
+    T_mesh_grading_report report;
+    progress.go_on();
     while (!stack.empty()) {
+      if (!progress.go_on_after(work_per_face)) {
+        report.status = T_mesh_grading_status::INTERRUPTED;
+        return report;
+      }
+      progress.progress(1 - static_cast<double>(stack.size()) / number_of_faces);
       const face_descriptor f = stack.back();
       stack.pop_back();
       if (!is_too_large(f, ratio))
@@ -56,7 +97,8 @@ public:
       const int axis = m_editor.coordinates().width(f) >= m_editor.coordinates().height(f) ? 0 : 1;
       const auto edit = m_editor.split_face(f, axis, m_split_position(f, axis));
       CGAL_assertion(bool(edit));
-      ++splits;
+      ++report.splits;
+      progress.go_on_after(work_per_split);
       // The parts, and all that are larger beside them now.
       for (const halfedge_descriptor n : {edit.halfedge, opposite(edit.halfedge, m_graph)}) {
         stack.push_back(face(n, m_graph));
@@ -65,7 +107,7 @@ public:
             stack.push_back(face(opposite(h, m_graph), m_graph));
       }
     }
-    return splits;
+    return report;
   }
 
 private:
@@ -111,25 +153,33 @@ private:
 /// \param np an optional sequence of named parameters among these:
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{visitor}
+///   \cgalParamNBegin{observer}
 ///     \cgalParamDescription{what follows the changes of the T-mesh}
-///     \cgalParamType{a model of `TMeshVisitor`, copied}
-///     \cgalParamDefault{`T_mesh_visitor`}
+///     \cgalParamType{a model of `TMeshObserver`, copied}
+///     \cgalParamDefault{`T_mesh_observer`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the number of splits. Complexity: linear in the size of the T-mesh and the number of splits, times the
+/// \return how it ended, and the number of splits. Complexity: linear in the size of the T-mesh and the number of splits, times the
 /// number of halfedges of a face.
 template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
-std::size_t grade_T_mesh(TMesh&& t_mesh, const double ratio,
-                         const NamedParameters& np = CGAL::parameters::default_values())
+T_mesh_grading_report grade_T_mesh(TMesh&& t_mesh, const double ratio,
+                                   const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   CGAL_precondition_msg(ratio >= 3, "the ratio must be at least 3: a split leaves a third of a side");
-  T_mesh_editor editor(t_mesh, choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor()));
+  T_mesh_editor editor(t_mesh, choose_parameter(get_parameter(np, np_tags::observer), T_mesh_observer()));
   using Grading = internal::T_mesh_grading<decltype(editor), Const_T_mesh_view_of<TMesh>>;
-  return Grading(editor, t_mesh).run(ratio);
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("grading");
+  return Grading(editor, t_mesh).run(ratio, progress);
 }
 
 } // namespace T_splines

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/T_mesh/Admissibility_report.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/exactness.h>
 #include <CGAL/T_splines/named_parameters.h>
 
@@ -139,6 +140,36 @@ private:
   double m_tolerance;
 };
 
+// What `is_admissible()` does; no stage is begun.
+template <typename TMesh, typename NamedParameters>
+Admissibility_report<T_mesh_graph<TMesh>> admissibility_report(const TMesh& t_mesh, const NamedParameters& np,
+                                                               Progress& progress)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  constexpr std::size_t work = 10; // for an element
+  const double tolerance = choose_parameter(get_parameter(np, np_tags::relative_tolerance), 1e-9);
+  const Const_T_mesh_view_of<TMesh> view(t_mesh);
+  const Admissibility_check check(view, tolerance);
+  Admissibility_report<T_mesh_graph<TMesh>> report;
+  progress.go_on();
+  for (const auto f : CGAL::make_range(faces(view.graph()))) {
+    if (!progress.go_on_after(work))
+      break;
+    if (!check.check_face(f, report))
+      return report;
+  }
+  for (const auto v : CGAL::make_range(vertices(view.graph()))) {
+    if (!progress.go_on_after(work))
+      break;
+    if (!check.check_vertex(v, report))
+      return report;
+  }
+  if (progress.is_interrupted())
+    report.status = Admissibility_status::INTERRUPTED;
+  return report;
+}
+
 } // namespace internal
 
 /// \ingroup PkgTSplinesTMesh
@@ -160,6 +191,11 @@ private:
 ///     \cgalParamDefault{1e-9}
 ///     \cgalParamExtra{For exact number types it is 0, whatever is given.}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the first defect, faces before vertices: the status, the element and how large the defect is. The report
@@ -170,21 +206,10 @@ template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_n
 Admissibility_report<T_mesh_graph<TMesh>> is_admissible(const TMesh& t_mesh,
                                                         const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  const double tolerance = choose_parameter(get_parameter(np, np_tags::relative_tolerance), 1e-9);
-  const Const_T_mesh_view_of<TMesh> view(t_mesh);
-  const internal::Admissibility_check check(view, tolerance);
-  Admissibility_report<T_mesh_graph<TMesh>> report;
-  for (const auto f : CGAL::make_range(faces(view.graph()))) {
-    if (!check.check_face(f, report))
-      return report;
-  }
-  for (const auto v : CGAL::make_range(vertices(view.graph()))) {
-    if (!check.check_vertex(v, report))
-      return report;
-  }
-  return report;
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("admissibility");
+  return internal::admissibility_report(t_mesh, np, progress);
 }
 
 } // namespace T_splines

@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/T_mesh/internal/Spline_structure.h>
 #include <CGAL/T_splines/T_mesh/is_admissible.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -46,16 +47,39 @@ Spline_defect defect_before_supports(Spline_structure<KnotFT, FT>& structure)
 
 // Checks admissibility; writes what is wrong.
 template <typename TMesh, typename NamedParameters>
-bool is_known_admissible(const TMesh& t_mesh, const NamedParameters& np,
+bool is_known_admissible(const TMesh& t_mesh, const NamedParameters& np, Progress& progress,
                          Spline_compatibility_report<T_mesh_graph<TMesh>>& report)
 {
-  report.admissibility = is_admissible(t_mesh, np);
+  report.admissibility = admissibility_report(t_mesh, np, progress);
   if (report.admissibility)
     return true;
-  report.status = Spline_compatibility_status::INADMISSIBLE;
+  report.status =
+      progress.is_interrupted() ? Spline_compatibility_status::INTERRUPTED : Spline_compatibility_status::INADMISSIBLE;
   report.vertex = report.admissibility.vertex;
   report.face = report.admissibility.face;
   return false;
+}
+
+// What `is_spline_compatible()` does; no stage is begun.
+template <typename TMesh, typename NamedParameters>
+Spline_compatibility_report<T_mesh_graph<TMesh>>
+spline_compatibility_report(const TMesh& t_mesh, const NamedParameters& np, Progress& progress)
+{
+  using FT = typename TMesh::FT;
+  Spline_compatibility_report<T_mesh_graph<TMesh>> report;
+  if (!is_known_admissible(t_mesh, np, progress, report))
+    return report;
+  const Mesh_indexing<T_mesh_graph<TMesh>> indexing(t_mesh.graph());
+  Spline_structure<FT> structure(indexing, Const_T_mesh_view_of<TMesh>(t_mesh), progress);
+  Spline_defect defect = defect_before_supports(structure);
+  progress.progress(0.5);
+  if (!defect)
+    defect = structure.find_supports(
+        [&](int, const Basis_support<FT>& support) { report.self_overlapping_supports += support.overlaps_itself(); });
+  const std::size_t self_overlapping_supports = report.self_overlapping_supports;
+  report = described(defect, indexing);
+  report.self_overlapping_supports = self_overlapping_supports;
+  return report;
 }
 
 } // namespace internal
@@ -87,6 +111,11 @@ bool is_known_admissible(const TMesh& t_mesh, const NamedParameters& np,
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-9, and 0 for exact number types}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the first defect: the status, which names the condition, and the elements. The report converts to `true` if
@@ -97,21 +126,10 @@ template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_n
 Spline_compatibility_report<T_mesh_graph<TMesh>>
 is_spline_compatible(const TMesh& t_mesh, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using FT = typename TMesh::FT;
-  Spline_compatibility_report<T_mesh_graph<TMesh>> report;
-  if (!internal::is_known_admissible(t_mesh, np, report))
-    return report;
-  const internal::Mesh_indexing<T_mesh_graph<TMesh>> indexing(t_mesh.graph());
-  internal::Spline_structure<FT> structure(indexing, Const_T_mesh_view_of<TMesh>(t_mesh));
-  internal::Spline_defect defect = internal::defect_before_supports(structure);
-  if (!defect)
-    defect = structure.find_supports([&](int, const internal::Basis_support<FT>& support) {
-      report.self_overlapping_supports += support.overlaps_itself();
-    });
-  const std::size_t self_overlapping_supports = report.self_overlapping_supports;
-  report = internal::described(defect, indexing);
-  report.self_overlapping_supports = self_overlapping_supports;
-  return report;
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("spline compatibility");
+  return internal::spline_compatibility_report(t_mesh, np, progress);
 }
 
 } // namespace T_splines

@@ -4,11 +4,12 @@
 #ifndef CGAL_T_SPLINES_T_MESH_MAKE_SPLINE_COMPATIBLE_H
 #define CGAL_T_SPLINES_T_MESH_MAKE_SPLINE_COMPATIBLE_H
 
+#include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/internal/Counted_splits.h>
 #include <CGAL/T_splines/T_mesh/internal/Spline_compatibility_repair.h>
 #include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -59,14 +60,14 @@ std::size_t number_of_vertices_in_rings(const Spline_structure<FT>& structure)
 
 // Fills in the numbers before; false if refinement cannot help.
 template <typename TMesh, typename NamedParameters>
-bool is_repairable(const TMesh& t_mesh, const NamedParameters& np,
+bool is_repairable(const TMesh& t_mesh, const NamedParameters& np, Progress& progress,
                    Spline_refinement_report<typename TMesh::Graph>& report)
 {
   Spline_compatibility_report<typename TMesh::Graph>& result = report;
-  if (!is_known_admissible(t_mesh, np, result))
+  if (!is_known_admissible(t_mesh, np, progress, result))
     return false;
   const Mesh_indexing<typename TMesh::Graph> indexing(t_mesh.graph());
-  const Spline_structure<double> structure(indexing, t_mesh);
+  const Spline_structure<double> structure(indexing, t_mesh, progress);
   result = described(structure.check_vertices(), indexing);
   report.extraordinary_vertices = structure.extraordinary_vertices().size();
   report.vertices_before = report.vertices_after = indexing.number_of_vertices();
@@ -75,14 +76,14 @@ bool is_repairable(const TMesh& t_mesh, const NamedParameters& np,
 }
 
 template <typename TMesh>
-void count_elements(const TMesh& t_mesh, Spline_refinement_report<typename TMesh::Graph>& report)
+void count_elements(const TMesh& t_mesh, Progress& progress, Spline_refinement_report<typename TMesh::Graph>& report)
 {
   const Mesh_indexing<typename TMesh::Graph> indexing(t_mesh.graph());
-  Spline_structure<double> structure(indexing, t_mesh);
+  Spline_structure<double> structure(indexing, t_mesh, progress);
   report.vertices_after = indexing.number_of_vertices();
   report.faces_after = indexing.number_of_faces();
   report.extraordinary_vertices = structure.extraordinary_vertices().size();
-  if (report.success() && !structure.check_rings())
+  if (report.success() && !progress.is_interrupted() && !structure.check_rings())
     report.vertices_in_rings = number_of_vertices_in_rings(structure);
 }
 
@@ -103,16 +104,16 @@ void count_elements(const TMesh& t_mesh, Spline_refinement_report<typename TMesh
 /// Edges are only inserted, by `T_mesh_editor`, each through one face. It ends: why, and what bounds the number of
 /// splits, is told in `internal/Spline_compatibility_repair.h`. Lines are inserted at vertices of the faces, where there
 /// are any close by, or at short fractions of their sides, so that exact knots stay short. New vertices have no point and
-/// no weight: a visitor, or `place_T_mesh()` afterwards, gives them one.
+/// no weight: an observer, or `place_T_mesh()` afterwards, gives them one.
 /// \tparam TMesh a model of `TMesh` whose graph is one of `MutableFaceGraph`, `FaceListGraph` and `HalfedgeListGraph`
 /// \param t_mesh the T-mesh that is changed
 /// \param np an optional sequence of named parameters among these:
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{visitor}
+///   \cgalParamNBegin{observer}
 ///     \cgalParamDescription{what follows the changes of the T-mesh}
-///     \cgalParamType{a model of `TMeshVisitor`, copied}
-///     \cgalParamDefault{`T_mesh_visitor`}
+///     \cgalParamType{a model of `TMeshObserver`, copied}
+///     \cgalParamDefault{`T_mesh_observer`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
 ///     \cgalParamDescription{the largest number of splits}
@@ -126,11 +127,16 @@ void count_elements(const TMesh& t_mesh, Spline_refinement_report<typename TMesh
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-9, and 0 for exact number types}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return whether the T-mesh is spline compatible now, and how many splits were made for what. Nothing is changed if
-///         the status is INADMISSIBLE, UNSUPPORTED_BORDER_VERTEX or TOUCHING_BORDERS.
-///
+///         the status is INADMISSIBLE, UNSUPPORTED_BORDER_VERTEX or TOUCHING_BORDERS. If it is INTERRUPTED, the T-mesh has
+///         the splits so far: it is admissible, and may be given to this function again.
 /// Complexity: linear in the number of pairs of a vertex and a face of its support, for a few rounds; most of them look
 /// only at a few vertices.
 template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -141,25 +147,34 @@ make_spline_compatible(TMesh&& t_mesh, const NamedParameters& np = CGAL::paramet
   using CGAL::parameters::get_parameter;
   using Graph = T_mesh_graph<TMesh>;
   using View = T_mesh_view_of<TMesh>;
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("spline compatibility");
   const View view(t_mesh);
   Spline_refinement_report<Graph> report;
-  if (!internal::is_repairable(view, np, report))
+  Spline_compatibility_report<Graph>& result = report;
+  if (!internal::is_repairable(view, np, progress, report))
     return report;
+  progress.progress(0.2);
   const std::size_t number_of_splits =
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), 1000 + 30 * report.faces_before);
-  const auto visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor());
-  using Splits = internal::Counted_splits<View, std::decay_t<decltype(visitor)>>;
-  Splits splits(view, visitor, number_of_splits);
+  const auto observer = choose_parameter(get_parameter(np, np_tags::observer), T_mesh_observer());
+  using Splits = internal::Counted_splits<View, std::decay_t<decltype(observer)>>;
+  Splits splits(view, observer, number_of_splits, progress);
   internal::Spline_compatibility_repair<Splits> repair(splits);
-  if (!repair.run()) {
-    static_cast<Spline_compatibility_report<Graph>&>(report) = is_spline_compatible(view, np);
+  const bool is_repaired = repair.run();
+  progress.progress(0.8);
+  if (!is_repaired && progress.go_on()) {
+    result = internal::spline_compatibility_report(view, np, progress);
     report.is_limit_reached = !report.success() && splits.is_exhausted();
   }
   report.splits_for_rings = repair.counts().rings;
   report.splits_at_border = repair.counts().border;
   report.splits_of_reaching_supports = repair.counts().reaching_supports;
   report.splits_of_endless_supports = repair.counts().endless_supports;
-  internal::count_elements(view, report);
+  internal::count_elements(view, progress, report);
+  if (progress.is_interrupted())
+    result.status = Spline_compatibility_status::INTERRUPTED;
   return report;
 }
 

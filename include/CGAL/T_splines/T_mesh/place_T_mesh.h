@@ -10,6 +10,8 @@
 #include <CGAL/T_splines/T_mesh/Tracing_traits.h>
 #include <CGAL/T_splines/T_mesh/internal/Chart_points.h>
 #include <CGAL/T_splines/T_mesh/internal/T_mesh_placement.h>
+#include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/graph_checks.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -25,6 +27,39 @@ namespace CGAL {
 namespace T_splines {
 
 /// \ingroup PkgTSplinesTMesh
+/// How the placement of a T-mesh ended.
+enum class T_mesh_placement_status {
+  PLACED,       ///< points, and polylines if they were asked for, are written
+  DOES_NOT_FIT, ///< an edge leads over a cone or beyond a border, or a root names a face that the T-mesh or the mapped
+                ///< mesh does not have; not all is written
+  INTERRUPTED   ///< the visitor asked to stop; not all is written
+};
+
+/// \ingroup PkgTSplinesTMesh
+/// returns one sentence that explains `status`.
+inline const char* message(const T_mesh_placement_status status)
+{
+  switch (status) {
+  case T_mesh_placement_status::PLACED: return "the T-mesh was placed on the surface";
+  case T_mesh_placement_status::DOES_NOT_FIT:
+    return "the T-mesh does not fit the map: an edge leads over a cone or beyond a border";
+  case T_mesh_placement_status::INTERRUPTED: return "interrupted by the visitor";
+  }
+  return "";
+}
+
+/// \ingroup PkgTSplinesTMesh
+/// What `place_T_mesh()` did.
+struct T_mesh_placement_report {
+  T_mesh_placement_status status = T_mesh_placement_status::PLACED; ///< how it ended
+
+  /// returns whether `status` tells of success.
+  bool success() const { return status == T_mesh_placement_status::PLACED; }
+  /// converts to `true` upon success.
+  explicit operator bool() const { return success(); }
+};
+
+/// \ingroup PkgTSplinesTMesh
 /// finds where a T-mesh that was changed by operations lies on the surface: the points of its vertices and the course
 /// of its edges, which are isolines of the map.
 ///
@@ -33,7 +68,7 @@ namespace T_splines {
 ///         to `FT`
 /// \param map the map on which the T-mesh was traced
 /// \param t_mesh what `trace_motorcycle_graph()` made of it and operations changed
-/// \param roots the visitor of these operations
+/// \param roots the observer of these operations
 /// \param np an optional sequence of named parameters among these:
 ///
 /// \cgalNamedParamsBegin
@@ -59,19 +94,32 @@ namespace T_splines {
 ///     \cgalParamType{a model of `WritablePropertyMap`, edge of the T-mesh -> a sequence of points with `push_back()`}
 ///     \cgalParamDefault{none is written}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return whether the T-mesh fits: false if an edge leads over a cone or beyond a border; then not all is written.
-///
+/// \return how it ended. The T-mesh itself is not changed; what is written of points and polylines is right.
 /// Complexity: linear in the number of triangles that the edges cross, and in the size of the mapped mesh.
 template <typename TriangleMesh, typename FT, typename TMesh,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-bool place_T_mesh(const Seamless_map<TriangleMesh, FT>& map, TMesh&& t_mesh,
-                  const T_mesh_roots<TriangleMesh, T_mesh_graph<TMesh>, FT>& roots,
-                  const NamedParameters& np = CGAL::parameters::default_values())
+T_mesh_placement_report place_T_mesh(const Seamless_map<TriangleMesh, FT>& map, TMesh&& t_mesh,
+                                     const T_mesh_roots<TriangleMesh, T_mesh_graph<TMesh>, FT>& roots,
+                                     const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
+  T_mesh_placement_report report;
+  const auto face_of = [](const auto& root) { return root.place.face; };
+  const auto triangle_of = [](const auto& root) { return root.anchor.triangle; };
+  if (map.layout().mesh().number_of_faces() == 0 ||
+      internal::first_foreign_face(t_mesh.graph(), roots.roots(), face_of) < roots.roots().size() ||
+      internal::first_foreign_face(map.mesh(), roots.roots(), triangle_of) < roots.roots().size()) {
+    report.status = T_mesh_placement_status::DOES_NOT_FIT;
+    return report;
+  }
   const auto traits = choose_parameter(get_parameter(np, np_tags::tracing_traits), Default_tracing_traits<FT>());
   const auto point_map = choose_parameter(get_parameter(np, np_tags::output_vertex_point_map),
                                           get_property_map(CGAL::vertex_point, t_mesh.graph()));
@@ -89,15 +137,22 @@ bool place_T_mesh(const Seamless_map<TriangleMesh, FT>& map, TMesh&& t_mesh,
       put(polyline_map, e, polyline);
     }
   };
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("placement");
   const std::vector<Point> points = internal::points_in_doubles(
       map.indexing(), choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                        get_const_property_map(CGAL::vertex_point, map.mesh())));
   internal::T_mesh_placement<TriangleMesh, FT, Const_T_mesh_view_of<TMesh>, std::decay_t<decltype(traits)>> placement(
       map, points, t_mesh, traits);
+  progress.go_on();
   for (const auto& root : roots.roots())
-    if (!placement.place(root, found_vertex, found_edge))
-      return false;
-  return true;
+    if (!placement.place(root, found_vertex, found_edge, progress)) {
+      report.status =
+          progress.is_interrupted() ? T_mesh_placement_status::INTERRUPTED : T_mesh_placement_status::DOES_NOT_FIT;
+      return report;
+    }
+  return report;
 }
 
 } // namespace T_splines

@@ -5,9 +5,11 @@
 #define CGAL_T_SPLINES_T_MESH_REFINE_T_MESH_H
 
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/internal/Split_position.h>
+#include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/element_numbers.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -22,6 +24,7 @@
 #include <cstddef>
 #include <limits>
 #include <queue>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -34,7 +37,8 @@ enum class T_mesh_refinement_status {
   REFINED,         ///< no face is larger than the target
   INVALID_TARGET,  ///< the target size is not positive; nothing was done
   SIZE_NOT_FINITE, ///< the size of `face` is infinite or not a number; it was left as it is
-  ITERATION_LIMIT  ///< the allowed number of splits was not enough; `face` was the largest face then
+  ITERATION_LIMIT, ///< the allowed number of splits was not enough; `face` was the largest face then
+  INTERRUPTED      ///< the visitor asked to stop; the T-mesh has the splits so far, and is admissible
 };
 
 /// \ingroup PkgTSplinesTMesh
@@ -46,6 +50,7 @@ inline const char* message(const T_mesh_refinement_status status)
   case T_mesh_refinement_status::INVALID_TARGET: return "the target size is not positive";
   case T_mesh_refinement_status::SIZE_NOT_FINITE: return "the size of a face is not a finite number";
   case T_mesh_refinement_status::ITERATION_LIMIT: return "the allowed number of splits was not enough";
+  case T_mesh_refinement_status::INTERRUPTED: return "interrupted by the visitor";
   }
   return "";
 }
@@ -62,7 +67,21 @@ struct T_mesh_refinement_report {
 
   /// returns whether `status` tells of success.
   bool success() const { return status == T_mesh_refinement_status::REFINED; }
+  /// converts to `true` upon success.
+  explicit operator bool() const { return success(); }
 };
+
+/// \ingroup PkgTSplinesTMesh
+/// returns what `report` says, with the number of the face concerned, counted from 0. Complexity: linear in the size of
+/// the T-mesh.
+template <typename Graph>
+std::string describe(const T_mesh_refinement_report<Graph>& report, const Graph& graph)
+{
+  const std::string text = message(report.status);
+  return report.face == boost::graph_traits<Graph>::null_face()
+             ? text
+             : text + ": " + internal::face_in_words(report.face, graph) + ", counted from 0";
+}
 
 namespace internal {
 
@@ -86,21 +105,27 @@ class T_mesh_refinement {
   };
 
 public:
-  T_mesh_refinement(Editor& editor, const TMesh& t_mesh, const FaceSize& face_size)
+  T_mesh_refinement(Editor& editor, const TMesh& t_mesh, const FaceSize& face_size, Progress& progress)
     : m_editor(editor),
       m_graph(t_mesh.graph()),
       m_split_position(t_mesh),
-      m_face_size(face_size)
+      m_face_size(face_size),
+      m_progress(progress)
   {
   }
 
   T_mesh_refinement_report<Graph> run(const double target, const std::size_t number_of_splits)
   {
     T_mesh_refinement_report<Graph> report;
+    m_progress.go_on();
     for (const face_descriptor f : faces(m_graph))
       push(f, target, report);
+    const double first = m_queue.empty() ? target : m_queue.top().size;
     while (!m_queue.empty()) {
       const Entry entry = m_queue.top();
+      m_progress.progress(std::log(first / entry.size) / std::log(first / target));
+      if (!m_progress.go_on_after(work_per_split))
+        break;
       if (report.splits == number_of_splits) {
         report.status = T_mesh_refinement_status::ITERATION_LIMIT;
         report.face = entry.f;
@@ -113,12 +138,17 @@ public:
       push(face(edit.halfedge, m_graph), target, report);
       push(face(opposite(edit.halfedge, m_graph), m_graph), target, report);
     }
+    if (m_progress.is_interrupted())
+      report.status = T_mesh_refinement_status::INTERRUPTED;
     return report;
   }
 
 private:
+  static constexpr std::size_t work_per_split = 1000;
+
   void push(const face_descriptor f, const double target, T_mesh_refinement_report<Graph>& report)
   {
+    m_progress.go_on_after(100);
     const std::pair<double, double> size = m_face_size(f);
     if (!std::isfinite(size.first) || !std::isfinite(size.second)) {
       report.status = T_mesh_refinement_status::SIZE_NOT_FINITE;
@@ -134,6 +164,7 @@ private:
   const Graph& m_graph;
   Split_position<TMesh> m_split_position;
   const FaceSize& m_face_size;
+  Progress& m_progress;
   std::priority_queue<Entry> m_queue;
   std::size_t m_number = 0;
 };
@@ -158,16 +189,21 @@ private:
 /// \param np an optional sequence of named parameters among these:
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{visitor}
+///   \cgalParamNBegin{observer}
 ///     \cgalParamDescription{what follows the changes of the T-mesh}
-///     \cgalParamType{a model of `TMeshVisitor`, copied}
-///     \cgalParamDefault{`T_mesh_visitor`}
+///     \cgalParamType{a model of `TMeshObserver`, copied}
+///     \cgalParamDefault{`T_mesh_observer`}
 ///     \cgalParamExtra{Needed if `face_size` has a visitor.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
 ///     \cgalParamDescription{the largest number of splits}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{no bound}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
@@ -188,9 +224,12 @@ refine_T_mesh(TMesh&& t_mesh, const FaceSize& face_size, const double target_siz
   }
   const std::size_t number_of_splits = choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
                                                         (std::numeric_limits<std::size_t>::max)());
-  T_mesh_editor editor(t_mesh, choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor()));
+  T_mesh_editor editor(t_mesh, choose_parameter(get_parameter(np, np_tags::observer), T_mesh_observer()));
   using Refinement = internal::T_mesh_refinement<decltype(editor), Const_T_mesh_view_of<TMesh>, FaceSize>;
-  return Refinement(editor, t_mesh, face_size).run(target_size, number_of_splits);
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("refinement");
+  return Refinement(editor, t_mesh, face_size, progress).run(target_size, number_of_splits);
 }
 
 } // namespace T_splines

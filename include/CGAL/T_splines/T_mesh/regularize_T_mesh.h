@@ -4,9 +4,10 @@
 #ifndef CGAL_T_SPLINES_T_MESH_REGULARIZE_T_MESH_H
 #define CGAL_T_SPLINES_T_MESH_REGULARIZE_T_MESH_H
 
+#include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/internal/T_mesh_regularization.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -22,18 +23,42 @@ namespace CGAL {
 namespace T_splines {
 
 /// \ingroup PkgTSplinesTMesh
+/// How the regularization of a T-mesh ended.
+enum class T_mesh_regularization_status {
+  REGULARIZED, ///< no operation makes it better, or as many were done as were allowed
+  INTERRUPTED  ///< the visitor asked to stop
+};
+
+/// \ingroup PkgTSplinesTMesh
+/// returns one sentence that explains `status`.
+inline const char* message(const T_mesh_regularization_status status)
+{
+  switch (status) {
+  case T_mesh_regularization_status::REGULARIZED: return "the T-mesh was regularized";
+  case T_mesh_regularization_status::INTERRUPTED: return "interrupted by the visitor";
+  }
+  return "";
+}
+
+/// \ingroup PkgTSplinesTMesh
 /// What `regularize_T_mesh()` did. An aspect ratio is at least 1.
 struct T_mesh_regularization_report {
-  std::size_t faces_before = 0,     ///< of the T-mesh that was given
-      faces_after = 0;              ///< of the changed T-mesh
-  double worst_aspect_before = 1,   ///< largest aspect ratio
-      worst_aspect_after = 1;       ///< largest aspect ratio
-  double median_aspect_before = 1,  ///< median of the aspect ratios
-      median_aspect_after = 1;      ///< median of the aspect ratios
-  std::size_t removals = 0;         ///< edges removed
+  T_mesh_regularization_status status = T_mesh_regularization_status::REGULARIZED; ///< how it ended
+  std::size_t faces_before = 0,                                                    ///< of the T-mesh that was given
+      faces_after = 0;                                                             ///< of the changed T-mesh
+  double worst_aspect_before = 1,                                                  ///< largest aspect ratio
+      worst_aspect_after = 1;                                                      ///< largest aspect ratio
+  double median_aspect_before = 1,                                                 ///< median of the aspect ratios
+      median_aspect_after = 1;                                                     ///< median of the aspect ratios
+  std::size_t removals = 0;                                                        ///< edges removed
   std::size_t flips = 0;            ///< edges removed with orthogonal insertion
   std::size_t partial_removals = 0; ///< edges removed in part
   std::size_t closed_gaps = 0;      ///< lines shortened that ended close to another one
+
+  /// returns whether `status` tells of success.
+  bool success() const { return status == T_mesh_regularization_status::REGULARIZED; }
+  /// converts to `true` upon success.
+  explicit operator bool() const { return success(); }
 };
 
 namespace internal {
@@ -74,10 +99,10 @@ void aspect_statistics(const Graph& graph, const Regularization& regularization,
 /// \param np an optional sequence of named parameters among these:
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{visitor}
+///   \cgalParamNBegin{observer}
 ///     \cgalParamDescription{what follows the changes of the T-mesh}
-///     \cgalParamType{a model of `TMeshVisitor`, copied}
-///     \cgalParamDefault{`T_mesh_visitor`}
+///     \cgalParamType{a model of `TMeshObserver`, copied}
+///     \cgalParamDefault{`T_mesh_observer`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_is_constrained_map}
 ///     \cgalParamDescription{vertices that are treated as extraordinary ones}
@@ -89,10 +114,15 @@ void aspect_statistics(const Graph& graph, const Regularization& regularization,
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{no bound}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return how many operations were done, and aspect ratios before and after
-///
+/// \return how many operations were done, and aspect ratios before and after. If the status is INTERRUPTED, the T-mesh is
+///         what the operations so far have made of it: admissible, and its observer is up to date.
 /// Complexity: O(log n) for each operation, plus the number of halfedges of the faces that it touches and of their
 /// neighbours; quadratic in the number of T-joints of a single face.
 template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -104,17 +134,22 @@ T_mesh_regularization_report regularize_T_mesh(TMesh&& t_mesh,
   using View = T_mesh_view_of<TMesh>;
   const std::size_t number_of_operations = choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
                                                             (std::numeric_limits<std::size_t>::max)());
-  const auto visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor), T_mesh_visitor());
+  const auto observer = choose_parameter(get_parameter(np, np_tags::observer), T_mesh_observer());
   const auto constrained =
       choose_parameter(get_parameter(np, CGAL::internal_np::vertex_is_constrained),
                        CGAL::Static_boolean_property_map<typename View::vertex_descriptor, false>());
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("regularization");
   const View view(t_mesh);
-  internal::T_mesh_regularization<View, std::decay_t<decltype(visitor)>, std::decay_t<decltype(constrained)>>
-      regularization(view, visitor, constrained);
+  internal::T_mesh_regularization<View, std::decay_t<decltype(observer)>, std::decay_t<decltype(constrained)>>
+      regularization(view, observer, constrained);
   T_mesh_regularization_report report;
   internal::aspect_statistics(view.graph(), regularization, report.faces_before, report.worst_aspect_before,
                               report.median_aspect_before);
-  const auto counts = regularization.run(number_of_operations);
+  const auto counts = regularization.run(number_of_operations, progress);
+  if (progress.is_interrupted())
+    report.status = T_mesh_regularization_status::INTERRUPTED;
   report.removals = counts.removals;
   report.flips = counts.flips;
   report.partial_removals = counts.partial_removals;

@@ -15,7 +15,9 @@
 #include <CGAL/T_splines/T_mesh/internal/Face_triangles.h>
 #include <CGAL/T_splines/T_mesh/internal/Triangle_samples.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/graph_checks.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -33,6 +35,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <type_traits>
 #include <vector>
@@ -59,24 +62,28 @@ public:
   {
   }
 
-  /// Places the T-mesh.
+  /// Places the T-mesh. \param progress if it is interrupted, no samples may be taken
   template <typename TriangleMesh, typename Coordinates, typename FaceAnchorMap>
   void place_faces(const Mesh_indexing<TriangleMesh>& indexing, const Coordinates& coordinates,
-                   const FaceAnchorMap anchors)
+                   const FaceAnchorMap anchors, Progress& progress)
   {
     for (const Face f : CGAL::make_range(faces(coordinates.t_mesh().graph()))) {
       put(m_face_index, f, static_cast<int>(m_faces.size()));
       m_faces.push_back(f);
       m_sizes.push_back({{CGAL::to_double(coordinates.width(f)), CGAL::to_double(coordinates.height(f))}});
       const auto& anchor = get(anchors, f);
-      m_triangles.add_face(indexing.face_index(anchor.triangle), anchor.to_face, m_sizes.back()[0], m_sizes.back()[1]);
+      m_triangles.add_face(indexing.face_index(anchor.triangle), anchor.to_face, m_sizes.back()[0], m_sizes.back()[1],
+                           progress);
+      if (progress.is_interrupted())
+        return;
     }
     m_triangles.complete();
   }
 
   /// Chooses the points inside of the triangles; vertices get their weights.
+  /// \param progress if it is interrupted, points and weights are missing
   template <typename Sample>
-  void sample_triangles(const std::size_t number_of_samples, std::vector<Sample>& inner)
+  void sample_triangles(const std::size_t number_of_samples, std::vector<Sample>& inner, Progress& progress)
   {
     const Mesh_components components = mesh_components(m_mesh);
     std::vector<Triangle_samples> chosen = samples_of_components(components, static_cast<double>(number_of_samples));
@@ -84,6 +91,8 @@ public:
     for (int t = 0; t < m_mesh.number_of_faces(); ++t) {
       const double area_of_triangle = area(t);
       const auto& points = chosen[components.of_face[t]].points(squared_lengths(t), area_of_triangle);
+      if (!progress.go_on_after(4 + 5 * points.size()))
+        return;
       const double weight = area_of_triangle / static_cast<double>(3 + points.size());
       for (const int v : corners(t))
         m_weights[v] += weight;
@@ -206,9 +215,14 @@ private:
 ///     \cgalParamExtra{There are at most as many more as there are vertices, up to rounding, and half as many again if
 ///       there are several components.}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `out` after the last sample.
+/// \return `out` after the last sample. If the visitor stopped the work, there are no samples.
 /// \pre neither the T-mesh nor its anchors have changed since it was traced
 ///
 /// Complexity: linear in the size of the meshes, and, summed over all triangles, in the number of times that faces
@@ -230,11 +244,26 @@ OutputIterator sample_T_mesh(const Seamless_map<TriangleMesh, FT>& map, const TM
       choose_parameter(get_parameter(np, np_tags::number_of_samples),
                        (std::max)(std::size_t(20000), static_cast<std::size_t>(indexing.number_of_vertices())));
   CGAL_precondition_msg(number_of_samples > 0, "number_of_samples must be positive");
+  const auto mapped_vertices = CGAL::make_range(vertices(map.mesh()));
+  const auto face_of = [&](const auto v) { return get(vertex_places, v).face; };
+  if (!internal::are_anchored(map, t_mesh.graph(), anchors) ||
+      internal::first_foreign_face(t_mesh.graph(), mapped_vertices, face_of) <
+          static_cast<std::size_t>(std::distance(mapped_vertices.begin(), mapped_vertices.end())))
+    return out;
   const std::vector<std::array<double, 3>> points = internal::points_in_doubles(indexing, point_map);
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("sampling");
   internal::T_mesh_sampling<FT, T_mesh_graph<TMesh>> sampling(map.layout(), points, t_mesh.graph());
-  sampling.place_faces(indexing, T_mesh_coordinates(t_mesh), anchors);
+  sampling.place_faces(indexing, T_mesh_coordinates(t_mesh), anchors, progress);
+  progress.progress(0.7);
+  if (!progress.go_on())
+    return out;
   std::vector<Sample> inner;
-  sampling.sample_triangles(number_of_samples, inner);
+  sampling.sample_triangles(number_of_samples, inner, progress);
+  progress.progress(0.9);
+  if (!progress.go_on())
+    return out;
   for (int v = 0; v < indexing.number_of_vertices(); ++v) {
     const auto vertex = indexing.vertex(v);
     *out++ = Sample{sampling.template clamped<typename Sample::FT>(get(vertex_places, vertex)), get(point_map, vertex),

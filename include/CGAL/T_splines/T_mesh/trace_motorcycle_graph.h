@@ -4,7 +4,6 @@
 #ifndef CGAL_T_SPLINES_T_MESH_TRACE_MOTORCYCLE_GRAPH_H
 #define CGAL_T_SPLINES_T_MESH_TRACE_MOTORCYCLE_GRAPH_H
 
-#include <CGAL/T_splines/Progress_visitor.h>
 #include <CGAL/T_splines/Similarity_map/Seamless_map.h>
 #include <CGAL/T_splines/T_mesh/Motorcycle_graph_report.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
@@ -17,6 +16,8 @@
 #include <CGAL/T_splines/T_mesh/internal/Motorcycle_tracer.h>
 #include <CGAL/T_splines/T_mesh/internal/Trace_arcs.h>
 #include <CGAL/T_splines/T_mesh/internal/Trace_geometry.h>
+#include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/graph_checks.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -24,6 +25,7 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <array>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -32,15 +34,13 @@ namespace T_splines {
 
 namespace internal {
 
-/// Writes what the caller asked for.
+/// Writes what the caller asked for. \param cell_places where places are asked for
 template <typename TriangleMesh, typename FT, typename TracingTraits, typename Graph, typename NamedParameters>
-void write_motorcycle_graph_details(const Seamless_map<TriangleMesh, FT>& map,
-                                    const Motorcycle_tracer<FT, TracingTraits>& tracer,
-                                    const Trace_arcs<FT, TracingTraits>& arcs,
-                                    const Motorcycle_cells<FT, TracingTraits>& cells, const TracingTraits& traits,
-                                    const std::vector<std::array<double, 3>>& points,
-                                    const Motorcycle_graph_writer<FT, TracingTraits, Graph>& writer, Graph& graph,
-                                    const NamedParameters& np)
+void write_motorcycle_graph_details(
+    const Seamless_map<TriangleMesh, FT>& map, const Motorcycle_tracer<FT, TracingTraits>& tracer,
+    const Trace_arcs<FT, TracingTraits>& arcs, const Motorcycle_cells<FT, TracingTraits>& cells,
+    const std::vector<std::array<double, 3>>& points, const std::optional<Cell_places<FT, TracingTraits>>& cell_places,
+    const Motorcycle_graph_writer<FT, TracingTraits, Graph>& writer, Graph& graph, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -58,9 +58,7 @@ void write_motorcycle_graph_details(const Seamless_map<TriangleMesh, FT>& map,
     writer.put_anchors(map.layout(), map.indexing(), tracer.traces(), arcs, anchors);
   const auto places = get_parameter(np, np_tags::vertex_place_map);
   if constexpr (!is_missing<decltype(places)>)
-    writer.put_places(
-        map.layout(), map.indexing(),
-        Cell_places<FT, TracingTraits>(map.layout(), tracer.stars(), tracer.traces(), arcs, cells, traits), places);
+    writer.put_places(map.layout(), map.indexing(), *cell_places, places);
 }
 
 } // namespace internal
@@ -143,40 +141,59 @@ Motorcycle_graph_report trace_motorcycle_graph(const Seamless_map<TriangleMesh, 
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const auto visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Progress_visitor());
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
   const auto traits = choose_parameter(get_parameter(np, np_tags::tracing_traits), Default_tracing_traits<FT>());
   using Tracing_traits = std::decay_t<decltype(traits)>;
   Motorcycle_graph_report report;
   const internal::Seamless_layout<FT>& layout = map.layout();
-  if (layout.mesh().number_of_faces() == 0) {
+  const T_mesh_view_of<TMesh> view(t_mesh);
+  if (layout.mesh().number_of_faces() == 0)
     report.status = Motorcycle_graph_status::EMPTY_MAP;
+  else if (!internal::is_output_graph(view.graph()))
+    report.status = Motorcycle_graph_status::OUTPUT_NOT_EMPTY;
+  if (!report.success())
     return report;
-  }
   const std::vector<std::array<double, 3>> points = internal::points_in_doubles(
       map.indexing(), choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                        get_const_property_map(CGAL::vertex_point, map.mesh())));
-  visitor.begin_stage("tracing");
+  progress.begin_stage("tracing");
   internal::Motorcycle_tracer<FT, Tracing_traits> tracer(layout, points, traits);
-  report.status = tracer.trace(visitor);
+  report.status = tracer.trace(progress);
   report.motorcycles = tracer.number_of_motorcycles();
   report.seeds = tracer.number_of_seeds();
   report.crossed_faces = tracer.traces().chords.size();
   report.predicates = traits.statistics();
   if (!report.success())
     return report;
-  visitor.begin_stage("T-mesh");
-  const internal::Trace_arcs<FT, Tracing_traits> arcs(layout, tracer.stars(), tracer.traces(), traits);
-  const internal::Motorcycle_cells<FT, Tracing_traits> cells(arcs);
+  progress.begin_stage("T-mesh");
+  const internal::Trace_arcs<FT, Tracing_traits> arcs(layout, tracer.stars(), tracer.traces(), traits, progress);
+  progress.progress(0.3);
+  if (!progress.go_on()) {
+    report.status = Motorcycle_graph_status::INTERRUPTED;
+    return report;
+  }
+  const internal::Motorcycle_cells<FT, Tracing_traits> cells(arcs, progress);
+  std::optional<internal::Cell_places<FT, Tracing_traits>> places;
+  progress.progress(0.5);
+  if constexpr (!internal::is_missing<decltype(get_parameter(np, np_tags::vertex_place_map))>)
+    if (cells.is_t_mesh())
+      places.emplace(layout, tracer.stars(), tracer.traces(), arcs, cells, traits, progress);
+  progress.progress(0.8);
+  if (!progress.go_on()) {
+    report.status = Motorcycle_graph_status::INTERRUPTED;
+    return report;
+  }
   if (!cells.is_t_mesh()) {
     report.status = Motorcycle_graph_status::NO_T_MESH;
     return report;
   }
   for (int h = 0; h < cells.number_of_halfedges(); ++h)
     report.t_joints += !cells.is_border(h) && !cells.halfedge(h).is_corner ? 1 : 0;
-  const T_mesh_view_of<TMesh> view(t_mesh);
   const internal::Motorcycle_graph_writer<FT, Tracing_traits, T_mesh_graph<TMesh>> writer(cells, view.graph());
   writer.put_knots(view);
-  internal::write_motorcycle_graph_details(map, tracer, arcs, cells, traits, points, writer, view.graph(), np);
+  internal::write_motorcycle_graph_details(map, tracer, arcs, cells, points, places, writer, view.graph(), np);
+  progress.progress(1);
   report.predicates = traits.statistics();
   return report;
 }

@@ -13,6 +13,8 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -83,6 +85,22 @@ public:
   int number_of_faces() const { return static_cast<int>(m_faces.size()); }
 
   const FaceGraph& graph() const { return *m_graph; }
+
+  /// Whether the elements of a graph are those that have indices, in this order. Complexity: linear.
+  bool has_elements_of(const FaceGraph& graph) const
+  {
+    const auto is_listed = [](const auto& range, const auto& list) {
+      return std::equal(range.begin(), range.end(), list.begin(), list.end());
+    };
+    std::size_t h = 0;
+    for (const edge_descriptor e : CGAL::make_range(edges(graph))) {
+      if (h >= m_halfedges.size() || m_halfedges[h] != first_halfedge<FaceGraph>(e, graph))
+        return false;
+      h += 2;
+    }
+    return h == m_halfedges.size() && is_listed(CGAL::make_range(vertices(graph)), m_vertices) &&
+           is_listed(CGAL::make_range(faces(graph)), m_faces);
+  }
 
 private:
   const FaceGraph* m_graph;

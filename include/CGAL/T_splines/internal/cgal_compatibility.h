@@ -7,10 +7,11 @@
 // Everything that reads differently on CGAL 5.5 and CGAL 6 stands here.
 
 #include <CGAL/version_macros.h>
-#include <CGAL/AABB_traits.h>
 
 #if CGAL_VERSION_NR >= 1060000000
 #include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h> // deprecated in CGAL 6
 #endif
 
 namespace CGAL {

@@ -27,6 +27,26 @@ std::size_t number_in_range(const Descriptor d, const Range& range)
   return number;
 }
 
+// Numbers of elements, in linear time: counted from 0, in the order in which the graph lists them.
+template <typename FaceGraph>
+std::string vertex_in_words(const typename boost::graph_traits<FaceGraph>::vertex_descriptor v, const FaceGraph& graph)
+{
+  return "vertex " + std::to_string(number_in_range(v, CGAL::make_range(vertices(graph))));
+}
+
+template <typename FaceGraph>
+std::string face_in_words(const typename boost::graph_traits<FaceGraph>::face_descriptor f, const FaceGraph& graph)
+{
+  return "face " + std::to_string(number_in_range(f, CGAL::make_range(faces(graph))));
+}
+
+template <typename FaceGraph>
+std::string edge_in_words(const typename boost::graph_traits<FaceGraph>::halfedge_descriptor h, const FaceGraph& graph)
+{
+  return "edge from " + vertex_in_words<FaceGraph>(source(h, graph), graph) + " to " +
+         vertex_in_words<FaceGraph>(target(h, graph), graph);
+}
+
 // For messages: ": vertex 5, face 7, counted from 0", of those elements that are not null. Linear time.
 template <typename FaceGraph>
 std::string numbered_elements(const FaceGraph& graph,

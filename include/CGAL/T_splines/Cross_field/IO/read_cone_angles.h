@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Cross_field/IO/Field_file_report.h>
 #include <CGAL/T_splines/Cross_field/internal/Field_file_parser.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_type_config.h>
@@ -38,7 +39,8 @@ read_cone_angles(std::istream& input, const FaceGraph& mesh,
 {
   using vertex_descriptor = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
   constexpr double tolerance = 1e-6, largest = 1e6;
-  internal::Field_file_parser parser(input);
+  internal::Progress progress; // such files are short
+  internal::Field_file_parser parser(input, progress);
   const std::vector<vertex_descriptor> vertex_of_index(vertices(mesh).begin(), vertices(mesh).end());
   std::vector<std::pair<vertex_descriptor, int>> result;
   std::size_t index = 0;

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Cross_field/IO/Field_file_report.h>
 #include <CGAL/T_splines/Cross_field/internal/Field_file_parser.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -33,7 +34,8 @@ read_cones(std::istream& input, const VertexListGraph& mesh,
            std::vector<std::pair<typename boost::graph_traits<VertexListGraph>::vertex_descriptor, int>>& cones)
 {
   using vertex_descriptor = typename boost::graph_traits<VertexListGraph>::vertex_descriptor;
-  internal::Field_file_parser parser(input);
+  internal::Progress progress; // such files are short
+  internal::Field_file_parser parser(input, progress);
   const std::vector<vertex_descriptor> vertex_of_index(vertices(mesh).begin(), vertices(mesh).end());
   std::vector<char> is_listed(vertex_of_index.size(), 0);
   std::vector<std::pair<vertex_descriptor, int>> result;

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Cross_field/IO/Field_file_report.h>
 #include <CGAL/T_splines/Cross_field/internal/Field_file_parser.h>
 #include <CGAL/T_splines/Cross_field/internal/Field_of_vectors.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -173,6 +174,11 @@ bool parse_ffield(Field_file_parser& parser, Field_of_vectors<TriangleMesh>& fie
 ///     \cgalParamType{a model of `Kernel`}
 ///     \cgalParamDefault{the kernel of the points, a new object}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return what is wrong with the file, and in which line and face.
@@ -182,12 +188,15 @@ Field_file_report read_ffield(std::istream& input, const TriangleMesh& mesh, Cro
                               HalfedgeMatchingMap matching,
                               const NamedParameters& np = CGAL::parameters::default_values())
 {
-  internal::Field_file_parser parser(input);
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("reading");
+  internal::Field_file_parser parser(input, progress);
   if (!parser.success() || !internal::check_mesh_of_field(mesh, np, parser))
     return parser.report();
   internal::Field_of_vectors<TriangleMesh> field(mesh, np);
   std::vector<int> quarter_turns(field.connectivity().number_of_halfedges(), 0);
-  if (internal::parse_ffield(parser, field, quarter_turns)) {
+  if (internal::parse_ffield(parser, field, quarter_turns) && parser.go_on()) {
     field.write(cross_field);
     for (int h = 0; h < field.connectivity().number_of_halfedges(); ++h)
       put(matching, field.indexing().halfedge(h), quarter_turns[h]);

@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/Cross_field/internal/homology_loops.h>
 #include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/named_parameters.h>
 
@@ -26,9 +27,10 @@ namespace T_splines {
 namespace internal {
 
 template <typename TriangleMesh, typename NamedParameters>
-Triangle_mesh_report<TriangleMesh> check_closed_mesh(const TriangleMesh& mesh, const NamedParameters& np)
+Triangle_mesh_report<TriangleMesh> check_closed_mesh(const TriangleMesh& mesh, const NamedParameters& np,
+                                                     Progress& progress)
 {
-  return check_triangle_mesh(mesh, T_splines::parameters::border_is_allowed(false, np));
+  return triangle_mesh_report(mesh, false, np, progress);
 }
 
 /// A mesh that `check_closed_mesh()` accepts, in index arrays: what signatures are made from.
@@ -51,9 +53,10 @@ struct Closed_mesh {
   {
   }
 
-  std::vector<std::vector<int>> short_loops() const
+  /// The loops of `homology_loops()`; not all of them if `progress` is interrupted.
+  std::vector<std::vector<int>> short_loops(Progress& progress) const
   {
-    return homology_loops(m_connectivity, dual_edge_lengths(m_connectivity, m_geometry), m_components);
+    return homology_loops(m_connectivity, dual_edge_lengths(m_connectivity, m_geometry), m_components, progress);
   }
 
   std::vector<typename Mesh_indexing<TriangleMesh>::halfedge_descriptor>

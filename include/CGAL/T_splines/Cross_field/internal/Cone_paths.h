@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_CONE_PATHS_H
 
 #include <CGAL/T_splines/Cross_field/internal/Edge_distances.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <CGAL/assertions.h>
@@ -29,14 +30,16 @@ class Cone_paths {
 public:
   /// \param vertices per cone
   /// \param strips the loops
+  /// \param progress asked by all searches; it must outlive this. If it is interrupted, what is found means nothing
   Cone_paths(const Triangulation_connectivity& mesh, const std::vector<double>& edge_length,
-             const std::vector<int>& vertices, const std::vector<std::vector<int>>& strips)
+             const std::vector<int>& vertices, const std::vector<std::vector<int>>& strips, Progress& progress)
     : m_mesh(mesh),
       m_vertices(vertices),
       m_number_of_loops(strips.size()),
       m_distances(mesh, edge_length),
       m_cone_of_vertex(mesh.number_of_vertices(), null),
-      m_number_of_searches(vertices.size(), 0)
+      m_number_of_searches(vertices.size(), 0),
+      m_progress(progress)
   {
     for (std::size_t i = 0; i < vertices.size(); ++i)
       m_cone_of_vertex[vertices[i]] = static_cast<int>(i);
@@ -61,9 +64,11 @@ public:
       const bool is_first_search = m_number_of_searches[from]++ == 0;
       m_distances.search(m_vertices[from], [&](const int v, double) {
         record(from, v);
-        return m_cone_of_vertex[v] != to || !is_first_search;
+        return m_progress.go_on_after(10) && (m_cone_of_vertex[v] != to || !is_first_search);
       });
       known = m_known.find({from, to});
+      if (known == m_known.end()) // interrupted
+        return std::vector<int>(m_number_of_loops, 0);
     }
     return known->second;
   }
@@ -78,7 +83,7 @@ public:
         result.push_back(cone);
         record(from, v);
       }
-      return static_cast<int>(result.size()) < number;
+      return m_progress.go_on_after(10) && static_cast<int>(result.size()) < number;
     });
     return result;
   }
@@ -122,6 +127,7 @@ private:
   std::unordered_map<int, std::vector<std::pair<int, int>>> m_passages; // per edge: the loops through its even halfedge
   std::vector<int> m_number_of_searches;                                // per cone: that went as far as they had to
   std::map<std::pair<int, int>, std::vector<int>> m_known;              // per pair of cones, the smaller index first
+  Progress& m_progress;
 };
 
 } // namespace internal

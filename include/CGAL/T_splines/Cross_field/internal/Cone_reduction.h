@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_CONE_REDUCTION_H
 
 #include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/assertions.h>
 
@@ -64,9 +65,11 @@ class Cone_reduction {
   static constexpr int regular = 4;
 
 public:
-  Cone_reduction(const ScaleEnergy& energy, Paths& paths, const Cones_and_loops& signature)
+  /// \param progress if it is interrupted, all operations end soon, and the signature means nothing any more
+  Cone_reduction(const ScaleEnergy& energy, Paths& paths, const Cones_and_loops& signature, Progress& progress)
     : m_energy(energy),
       m_paths(paths),
+      m_progress(progress),
       m_signature(signature),
       m_potential(signature.quarter_turns.size()),
       m_period(signature.loop_quarter_turns.size())
@@ -100,6 +103,7 @@ public:
     for (std::size_t l = 0; l < n; ++l) {
       columns[l][l] = quarter_turn;
       m_energy.to_orthonormal(columns[l]);
+      m_progress.go_on_after(1 + n * n / 64);
     }
     for (int number = 0;; ++number) {
       std::size_t best = 0;
@@ -114,7 +118,7 @@ public:
           least = change;
         }
       }
-      if (turns == 0)
+      if (turns == 0 || !m_progress.go_on_after(1 + n * n / 32))
         return number;
       for (std::size_t i = 0; i < n; ++i)
         m_period[i] += turns * columns[best][i];
@@ -131,22 +135,27 @@ public:
     int number = 0;
     for (;; ++number) {
       const Cone_move move = cheapest_split();
-      if (move.is_null() || move.energy_change > (m_signature.quarter_turns[move.from] == 1 ? 0 : -least_gain))
+      if (move.is_null() || m_progress.is_interrupted() ||
+          move.energy_change > (m_signature.quarter_turns[move.from] == 1 ? 0 : -least_gain))
         break;
       apply(move);
     }
     return number;
   }
 
-  /// merges cones until the limits allow no more. Complexity: O(n^2) per merge, and what the paths cost.
+  /// merges cones until the limits allow no more. The progress is that of the number of cones. Complexity: O(n^2) per merge, and what the paths cost.
   void reduce(const Cone_reduction_limits& limits)
   {
     for (int i = 0; i < static_cast<int>(m_potential.size()); ++i)
       forget_if_regular(i);
     find_partners(number_of_partners());
-    for (;;) {
+    const int before = number_of_cones();
+    while (m_progress.go_on()) {
+      m_progress.progress(1 - static_cast<double>(number_of_cones()) / (before + 1));
       const bool is_demanded = number_of_cones() > limits.number_of_cones;
       const Cone_move move = is_demanded ? demanded_move() : cheapest_affordable_merge(limits.energy_change);
+      if (m_progress.is_interrupted())
+        return;
       const bool is_acceptable = !move.is_null();
       if (is_acceptable) {
         apply(move);
@@ -194,6 +203,8 @@ private:
     if (m_pairs_are_all)
       return;
     for (const int a : m_cones) {
+      if (m_progress.is_interrupted())
+        return;
       for (const int b : m_paths.nearest(a, number)) {
         m_partners[a].push_back(b);
         m_partners[b].push_back(a);
@@ -291,10 +302,13 @@ private:
   {
     m_candidates.clear();
     const double length = std::sqrt(2 * loop_energy());
-    for (const int a : m_cones)
-      for (const int b : m_pairs_are_all ? m_cones : m_partners[a])
+    for (const int a : m_cones) {
+      const std::vector<int>& others = m_pairs_are_all ? m_cones : m_partners[a];
+      for (const int b : others)
         if (m_signature.quarter_turns[b] != regular)
           add_candidate(a, b, turns, length);
+      m_progress.go_on_after(others.size());
+    }
     return cheapest_candidate();
   }
 
@@ -307,6 +321,7 @@ private:
     for (const int a : m_cones) {
       if (is_usual(m_signature.quarter_turns[a]))
         continue;
+      m_progress.go_on_after(m_potential.size());
       for (int b = 0; b < static_cast<int>(m_potential.size()); ++b)
         add_candidate(
             a, b,
@@ -333,13 +348,17 @@ private:
     m_candidates.push_back(move);
   }
 
+  // It is null, too, if the progress is interrupted.
   Cone_move cheapest_candidate()
   {
+    const std::size_t work = 10 + m_period.size();
     std::make_heap(m_candidates.begin(), m_candidates.end(), is_later);
     Cone_move cheapest;
     while (!m_candidates.empty() &&
            (cheapest.is_null() || m_candidates.front().energy_change <= cheapest.energy_change)) {
       std::pop_heap(m_candidates.begin(), m_candidates.end(), is_later);
+      if (!m_progress.go_on_after(work))
+        return Cone_move();
       Cone_move move = m_candidates.back();
       m_candidates.pop_back();
       move.energy_change = cone_energy_change(move) + loop_energy_change(move);
@@ -418,6 +437,7 @@ private:
 
   const ScaleEnergy& m_energy;
   Paths& m_paths;
+  Progress& m_progress;
   Cones_and_loops m_signature;
   std::vector<double> m_potential; // per cone: u
   std::vector<double> m_period;    // per loop: y

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Cross_field/internal/Vertex_frames.h>
 #include <CGAL/T_splines/Solver/internal/Hermitian_rows.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <CGAL/number_type_config.h>
@@ -33,15 +34,18 @@ public:
   /// \param vertices the vertices of the component
   /// \param halfedges the halfedges of even index of the component
   /// \param fixed per vertex of the whole mesh: its value if it is not free, 0 if it is
+  /// \param progress if it is interrupted, entries are missing
   Connection_laplacian(const Vertex_frames& frames, const std::vector<int>& vertices, const std::vector<int>& halfedges,
-                       const std::vector<Complex>& fixed)
+                       const std::vector<Complex>& fixed, Progress& progress)
   {
     number_free_vertices(vertices, fixed);
     add_masses(frames, halfedges);
     std::vector<Rows::Lower_entry> entries;
     entries.reserve(halfedges.size());
+    progress.go_on();
     for (const int h : halfedges)
-      add_edge(frames, h, fixed, entries);
+      if (progress.go_on_after(10))
+        add_edge(frames, h, fixed, entries);
     m_matrix = Rows::from_lower_triangle(m_diagonal, entries);
   }
 

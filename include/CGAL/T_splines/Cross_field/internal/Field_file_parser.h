@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_FIELD_FILE_PARSER_H
 
 #include <CGAL/T_splines/Cross_field/IO/Field_file_report.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <charconv>
 #include <cmath>
@@ -24,7 +25,8 @@ namespace internal {
 /// Comments run from `#` to the end of the line.
 class Field_file_parser {
 public:
-  explicit Field_file_parser(std::istream& input)
+  /// \param progress asked now and then; it must outlive this
+  Field_file_parser(std::istream& input, Progress& progress) : m_progress(progress)
   {
     if (!input.good() || input.rdbuf() == nullptr) {
       fail(Field_file_status::UNREADABLE);
@@ -38,10 +40,16 @@ public:
       m_text.resize(size + size_of_block);
       number_read = input.rdbuf()->sgetn(&m_text[size], size_of_block);
       m_text.resize(size + static_cast<std::size_t>(number_read));
-    } while (number_read == size_of_block);
+    } while (number_read == size_of_block && m_progress.go_on_after(size_of_block / 256));
+    go_on();
   }
 
   bool success() const { return m_report.success(); }
+
+  Progress& progress() { return m_progress; }
+
+  /// \return whether the visitor has not stopped the work, which would be a failure.
+  bool go_on() { return m_progress.go_on() || fail(Field_file_status::INTERRUPTED); }
 
   /// the report, with the line of the last token.
   const Field_file_report& report()
@@ -88,6 +96,8 @@ public:
 
   bool read_token(std::string_view& token)
   {
+    if (!m_progress.go_on_after(2))
+      return fail(Field_file_status::INTERRUPTED);
     if (!has_token())
       return fail(Field_file_status::TRUNCATED);
     const std::size_t begin = m_position;
@@ -163,6 +173,7 @@ private:
     }
   }
 
+  Progress& m_progress;
   std::string m_text;
   std::size_t m_position = 0;
   std::size_t m_line = 1;

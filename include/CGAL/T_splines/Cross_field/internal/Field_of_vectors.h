@@ -117,8 +117,10 @@ private:
 template <typename TriangleMesh, typename NamedParameters>
 bool check_mesh_of_field(const TriangleMesh& mesh, const NamedParameters& np, Field_file_parser& parser)
 {
-  return check_triangle_mesh(mesh, T_splines::parameters::border_is_allowed(true, np)).success() ||
-         parser.fail(Field_file_status::INVALID_MESH);
+  const auto report = triangle_mesh_report(mesh, true, np, parser.progress());
+  return report.success() ||
+         parser.fail(report.status == Triangle_mesh_status::INTERRUPTED ? Field_file_status::INTERRUPTED
+                                                                        : Field_file_status::INVALID_MESH);
 }
 
 /// reads a vector.

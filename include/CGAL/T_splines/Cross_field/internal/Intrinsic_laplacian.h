@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/Cross_field/internal/Vertex_frames.h>
 #include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <algorithm>
@@ -29,8 +30,10 @@ public:
   using Sparse_form = std::vector<std::pair<int, double>>; ///< edges and values
 
   /// \param strips closed strips of triangles on `mesh`, whose crossing forms are carried over to the Delaunay triangulation
+  /// \param progress if it is interrupted, the triangulation need not be Delaunay
   Intrinsic_laplacian(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry,
-                      const Mesh_components& components, const std::vector<std::vector<int>>& strips)
+                      const Mesh_components& components, const std::vector<std::vector<int>>& strips,
+                      Progress& progress)
     : m_forms(strips.size()),
       m_row(mesh.number_of_vertices(), 0)
   {
@@ -40,12 +43,14 @@ public:
     for (std::size_t l = 0; l < strips.size(); ++l)
       for (const int h : strips[l])
         add_value(on_edge[h / 2], static_cast<int>(l), h % 2 == 0 ? 1 : -1);
-    flip_to_delaunay(m_surface, [&](const int h, const int h1, const int /*h2*/, const int /*g1*/, const int g2) {
+    const auto carry_over = [&](const int h, const int h1, const int /*h2*/, const int /*g1*/, const int g2) {
       on_edge[h / 2].clear();
       for (const int side : {g2, h1})
         for (const auto& [form, value] : on_edge[side / 2])
           add_value(on_edge[h / 2], form, side % 2 == 0 ? value : -value);
-    });
+    };
+    flip_to_delaunay(m_surface, carry_over, progress);
+    progress.go_on();
     for (std::size_t e = 0; e < on_edge.size(); ++e)
       for (const auto& [form, value] : on_edge[e])
         m_forms[form].emplace_back(static_cast<int>(e), value);
@@ -59,7 +64,9 @@ public:
     for (int& row : m_row)
       if (row != null)
         row = size++;
+    progress.go_on();
     assemble(size);
+    progress.go_on();
   }
 
   /// The crossing forms: closed 1-forms that are 1 on the halfedges of a strip, or what flips make of that.

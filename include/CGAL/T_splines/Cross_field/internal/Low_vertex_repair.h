@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Solver/internal/Hermitian_rows.h>
 #include <CGAL/T_splines/Solver/internal/Multigrid.h>
 #include <CGAL/T_splines/Solver/internal/multigrid_iterations.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <algorithm>
@@ -36,11 +37,13 @@ class Low_vertex_repair {
 public:
   /// \param is_face_fixed per face: whether its cross stays as it is
   /// \param angle per face: of its cross; changed by `repair()`
+  /// \param progress if it is interrupted, the repair ends soon, and the angles mean nothing
   Low_vertex_repair(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry,
-                    const std::vector<char>& is_face_fixed, std::vector<double>& angle)
+                    const std::vector<char>& is_face_fixed, std::vector<double>& angle, Progress& progress)
     : m_mesh(mesh),
       m_is_face_fixed(is_face_fixed),
       m_angle(angle),
+      m_progress(progress),
       m_outgoing(mesh.outgoing_halfedges()),
       m_rotation(field_rotations(mesh, angles_to_halfedges(mesh, geometry, angle))),
       m_turns(mesh.number_of_vertices(), on_border),
@@ -59,12 +62,12 @@ public:
   int repair()
   {
     int number_repaired = 0;
-    for (int v = 0; v < m_mesh.number_of_vertices(); ++v) {
+    for (int v = 0; v < m_mesh.number_of_vertices() && m_progress.go_on_after(2); ++v) {
       if (m_outgoing[v] == null || turns_after_ties(v) >= 1)
         continue;
       std::vector<int> around(1, v);
       m_crossed.clear();
-      while (m_turns[v] < 1 && carry_quarter_turn(v, around))
+      while (m_turns[v] < 1 && carry_quarter_turn(v, around) && m_progress.go_on_after(100))
         ;
       smooth(around);
       ++number_repaired;
@@ -163,7 +166,7 @@ private:
     for (const int v : vertices)
       m_marked[v] = m_mark;
     std::size_t number_of_released = vertices.size(), first_of_layer = 0;
-    for (bool is_complete = false;;) {
+    for (bool is_complete = false; m_progress.go_on_after(vertices.size());) {
       std::vector<int> faces = free_faces_around(vertices, 0);
       if (relax(faces))
         return true;
@@ -187,6 +190,7 @@ private:
       }
       is_complete = vertices.size() == number_of_released;
     }
+    return false;
   }
 
   // The faces with a corner among `vertices` whose crosses are not fixed, or which have a corner among the first
@@ -276,13 +280,15 @@ private:
       if (j != null && j < i)
         entries.push_back({i, j, -w});
     });
-    Multigrid<double> multigrid(Hermitian_rows<double>::from_lower_triangle(diagonal, entries));
-    solve_with_multigrid(multigrid, 1., std::vector<double>(faces.size(), 0.), right_hand_side, turn, 1e-10, 200);
+    Multigrid<double> multigrid(Hermitian_rows<double>::from_lower_triangle(diagonal, entries), m_progress);
+    solve_with_multigrid(multigrid, 1., std::vector<double>(faces.size(), 0.), right_hand_side, turn, 1e-10, 200,
+                         m_progress);
   }
 
   const Triangulation_connectivity& m_mesh;
   const std::vector<char>& m_is_face_fixed;
   std::vector<double>& m_angle;
+  Progress& m_progress;
   std::vector<int> m_outgoing;
   std::vector<double> m_rotation; // per edge
   std::vector<int> m_turns;       // per vertex: quarter turns, or `on_border`

@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
 #include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
 #include <CGAL/T_splines/Cross_field/internal/strip_turning.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <CGAL/number_type_config.h>
@@ -82,8 +83,10 @@ class Scale_energy {
 
 public:
   /// \param strips 2g independent loops for each component
+  /// \param progress to be asked by `compute()` before anything is used
   Scale_energy(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry,
-               const Mesh_components& components, const std::vector<std::vector<int>>& strips, SolverTraits& solver)
+               const Mesh_components& components, const std::vector<std::vector<int>>& strips, SolverTraits& solver,
+               Progress& progress)
     : m_mesh(mesh),
       m_geometry(geometry),
       m_components(components),
@@ -93,7 +96,7 @@ public:
       m_mass(mesh.number_of_vertices(), 0.),
       m_radius(disk_radii(geometry, components)),
       m_defect(angle_defects(mesh, geometry)),
-      m_laplacian(mesh, geometry, components, strips),
+      m_laplacian(mesh, geometry, components, strips, progress),
       m_right_hand_side(m_laplacian.matrix().size())
   {
     for (int h = 0; h < mesh.number_of_halfedges(); ++h)
@@ -101,32 +104,35 @@ public:
   }
 
   /// computes everything that the energies of `cones`, which are vertices, consist of.
-  /// \param visitor is told the progress. \return `false` if the solver fails.
+  /// \return `false` if the solver fails, or `progress` is interrupted.
   /// Complexity: one factorization, and a solve per cone and loop.
-  template <typename Visitor>
-  bool compute(const std::vector<int>& cones, const Visitor& visitor, bool& is_interrupted)
+  bool compute(const std::vector<int>& cones, Progress& progress)
   {
+    if (!progress.go_on())
+      return false;
     if (m_laplacian.matrix().size() > 0 &&
         !(m_solver.analyze_pattern(m_laplacian.matrix()) && m_solver.factorize(m_laplacian.matrix())))
       return false;
     m_disks.clear();
-    for (const int v : cones)
+    for (const int v : cones) {
       m_disks.push_back(disk(v));
-    if (!compute_defect_terms() || !compute_loop_terms(cones))
+      if (!progress.go_on_after(10 * m_disks.back().size()))
+        return false;
+    }
+    if (!compute_defect_terms() || !compute_loop_terms(cones, progress))
       return false;
-    const std::size_t n = cones.size();
+    const std::size_t n = cones.size(), number_of_solves = m_strips.size() + n;
     m_interaction.assign(n, std::vector<double>(n));
     for (std::size_t i = 0; i < n; ++i) {
-      is_interrupted = !visitor.go_on();
-      if (is_interrupted)
-        return true;
+      progress.progress(static_cast<double>(m_strips.size() + i) / static_cast<double>(number_of_solves));
+      if (!progress.go_on())
+        return false;
       for (const auto& [v, weight] : m_disks[i])
         add_to_right_hand_side(v, weight);
       if (!solve())
         return false;
       for (std::size_t j = 0; j <= i; ++j)
         m_interaction[i][j] = m_interaction[j][i] = mean_over_disk(j);
-      visitor.progress(static_cast<double>(i + 1) / static_cast<double>(n));
     }
     return true;
   }
@@ -194,7 +200,7 @@ private:
     return true;
   }
 
-  bool compute_loop_terms(const std::vector<int>& cones)
+  bool compute_loop_terms(const std::vector<int>& cones, Progress& progress)
   {
     // With omega_j = eta_j + d psi_j harmonic, <omega_i, omega_j> = <eta_i, omega_j>: no two of them are needed at once.
     const auto& forms = m_laplacian.forms();
@@ -203,6 +209,9 @@ private:
     m_loop_potential.assign(forms.size(), std::vector<double>());
     m_loop_matrix.assign(forms.size(), std::vector<double>(forms.size(), 0.));
     for (std::size_t l = 0; l < forms.size(); ++l) {
+      progress.progress(static_cast<double>(l) / static_cast<double>(forms.size() + cones.size()));
+      if (!progress.go_on())
+        return false;
       m_laplacian.for_each_flow(forms[l], [this](const int v, const double flow) { add_to_right_hand_side(v, flow); });
       if (!solve())
         return false;

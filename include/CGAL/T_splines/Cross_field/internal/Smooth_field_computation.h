@@ -13,6 +13,7 @@
 #include <CGAL/T_splines/Cross_field/internal/principal_crosses.h>
 #include <CGAL/T_splines/Solver/internal/Multigrid.h>
 #include <CGAL/T_splines/Solver/internal/multigrid_iterations.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <algorithm>
@@ -42,11 +43,13 @@ class Smooth_field_computation {
   static constexpr int null = Triangulation_connectivity::null;
 
 public:
+  /// \param progress it must outlive this
   Smooth_field_computation(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry,
-                           const Smooth_field_options& options)
+                           const Smooth_field_options& options, Progress& progress)
     : m_mesh(mesh),
       m_geometry(geometry),
       m_options(options),
+      m_progress(progress),
       m_frames(vertex_frames(mesh, geometry)),
       m_fixed(mesh.number_of_vertices()),
       m_field(mesh.number_of_vertices()),
@@ -61,12 +64,12 @@ public:
     if (options.curvature_alignment > 0)
       m_guide = principal_crosses(mesh, geometry, m_frames);
     m_intrinsic = m_frames;
-    make_delaunay(m_intrinsic);
+    if (m_progress.go_on())
+      make_delaunay(m_intrinsic, m_progress);
   }
 
-  /// computes the field on all components. \return `false` if the visitor asks to stop.
-  template <typename Visitor>
-  bool compute(const Mesh_components& components, const Visitor& visitor)
+  /// computes the field on all components. \return `false` if the progress is interrupted.
+  bool compute(const Mesh_components& components)
   {
     std::vector<std::vector<int>> vertices(components.size()), halfedges(components.size()), faces(components.size());
     for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
@@ -77,18 +80,24 @@ public:
     for (int f = 0; f < m_mesh.number_of_faces(); ++f)
       faces[components.of_face[f]].push_back(f);
     for (int c = 0; c < components.size(); ++c) {
-      if (!visitor.go_on())
+      const double n = components.size();
+      const Progress::Part part(m_progress, 0.1 + 0.8 * c / n, 0.1 + 0.8 * (c + 1) / n);
+      if (!m_progress.go_on())
         return false;
-      visitor.progress(static_cast<double>(c) / components.size());
       compute_component(vertices[c], halfedges[c], faces[c]);
+      m_progress.progress(1);
     }
-    Low_vertex_repair repair(m_mesh, m_geometry, m_is_face_fixed, m_angle);
+    if (!m_progress.go_on())
+      return false;
+    Low_vertex_repair repair(m_mesh, m_geometry, m_is_face_fixed, m_angle, m_progress);
     m_number_of_repaired = repair.repair();
     m_rotation = repair.rotations();
+    if (!m_progress.go_on())
+      return false;
     for (int c = 0; c < components.size(); ++c)
-      m_number_of_singularities += m_counter.count(faces[c], vertices[c], m_angle);
-    visitor.progress(1.);
-    return true;
+      m_number_of_singularities += m_counter.count(faces[c], vertices[c], m_angle, m_progress);
+    m_progress.progress(1.);
+    return m_progress.go_on();
   }
 
   /// The angle of the cross in the frame of each face.
@@ -150,7 +159,7 @@ private:
   void compute_component(const std::vector<int>& vertices, const std::vector<int>& halfedges,
                          const std::vector<int>& faces)
   {
-    const Connection_laplacian laplacian(m_intrinsic, vertices, halfedges, m_fixed);
+    const Connection_laplacian laplacian(m_intrinsic, vertices, halfedges, m_fixed, m_progress);
     for (const int v : vertices)
       m_field[v] = m_fixed[v];
     int fewest = -1;
@@ -162,15 +171,22 @@ private:
     const bool has_fixed_vertices = laplacian.free_vertices().size() < vertices.size();
     const double alignment = is_guided ? m_options.curvature_alignment / laplacian.area() : 0.;
     const double shift = (std::max)(alignment, (is_guided || has_fixed_vertices ? 1e-4 : 1e-2) / laplacian.area());
-    Multigrid<Complex> multigrid(laplacian.shifted(shift));
+    if (!m_progress.go_on())
+      return;
+    Multigrid<Complex> multigrid(laplacian.shifted(shift), m_progress);
+    m_progress.progress(0.2);
     if (is_guided || has_fixed_vertices)
       solve_linear(laplacian, alignment, multigrid);
     else
       solve_eigen(laplacian, shift, multigrid);
+    m_progress.progress(0.5);
+    if (!m_progress.go_on())
+      return;
     take_if_better(faces, vertices, fewest);
     if (!is_guided && m_options.diffusion_steps > 0) {
       diffuse(laplacian, shift, multigrid);
-      take_if_better(faces, vertices, fewest);
+      if (m_progress.go_on())
+        take_if_better(faces, vertices, fewest);
     }
   }
 
@@ -178,7 +194,9 @@ private:
   void solve_eigen(const Connection_laplacian& laplacian, const double shift, Multigrid<Complex>& multigrid)
   {
     std::vector<Complex> x;
-    const double eigenvalue = smallest_eigenvector(multigrid, laplacian.masses(), m_options.seed, x);
+    const double eigenvalue = smallest_eigenvector(multigrid, laplacian.masses(), m_options.seed, x, m_progress);
+    if (m_progress.is_interrupted())
+      return;
     m_energy += (std::max)(0., eigenvalue - shift) * laplacian.area();
     store(laplacian, x);
   }
@@ -197,7 +215,7 @@ private:
         right_hand_side[i] += m_guide[vertices[i]] * (alignment * laplacian.masses()[i] / norm);
     }
     const std::vector<double> none(vertices.size(), 0.);
-    solve_with_multigrid(multigrid, 1., none, right_hand_side, x, 1e-8, most_iterations);
+    solve_with_multigrid(multigrid, 1., none, right_hand_side, x, 1e-8, most_iterations, m_progress);
     store(laplacian, x);
   }
 
@@ -215,7 +233,8 @@ private:
     std::vector<Complex> right_hand_side(vertices.size()), x(vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
       x[i] = m_field[vertices[i]];
-    for (int step = 0; step < m_options.diffusion_steps; ++step) {
+    for (int step = 0; step < m_options.diffusion_steps && m_progress.go_on(); ++step) {
+      m_progress.progress(0.5 + 0.5 * step / m_options.diffusion_steps);
       for (std::size_t i = 0; i < vertices.size(); ++i) {
         const double length = magnitude(x[i]);
         const Complex unit = length > 0 ? x[i] / length : Complex(0);
@@ -224,7 +243,8 @@ private:
           x[i] = unit / 2.;
       }
       solve_with_multigrid(multigrid, time, mass, right_hand_side, x,
-                           step + 1 < m_options.diffusion_steps ? tolerance : last_tolerance, most_iterations);
+                           step + 1 < m_options.diffusion_steps ? tolerance : last_tolerance, most_iterations,
+                           m_progress);
     }
     store(laplacian, x);
   }
@@ -240,11 +260,13 @@ private:
   void take_if_better(const std::vector<int>& faces, const std::vector<int>& vertices, int& fewest)
   {
     for (const bool is_normalized : {false, true}) {
+      if (!m_progress.go_on())
+        return;
       for (const int f : faces)
         m_trial_angle[f] = m_is_face_fixed[f]
                                ? m_face_direction[f]
                                : std::arg(value_in_face(m_mesh, m_geometry, m_frames, m_field, f, is_normalized)) / 4;
-      const int number = m_counter.count(faces, vertices, m_trial_angle);
+      const int number = m_counter.count(faces, vertices, m_trial_angle, m_progress);
       if (fewest >= 0 && number >= fewest)
         continue;
       fewest = number;
@@ -256,6 +278,7 @@ private:
   const Triangulation_connectivity& m_mesh;
   const Triangle_geometry& m_geometry;
   const Smooth_field_options& m_options;
+  Progress& m_progress;
   Vertex_frames m_frames, m_intrinsic;
   std::vector<Complex> m_fixed; // per vertex: its given value, or 0
   std::vector<Complex> m_guide; // per vertex: the principal cross; empty if there is no alignment

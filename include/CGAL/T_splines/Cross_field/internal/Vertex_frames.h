@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_VERTEX_FRAMES_H
 
 #include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <CGAL/number_type_config.h>
@@ -93,8 +94,9 @@ inline Vertex_frames vertex_frames(const Triangulation_connectivity& mesh, const
 /// negative up to round-off. Of the members, only connectivity and lengths are read and changed.
 /// \param on_flip is called after each flip with the even halfedge of the edge, the two other halfedges of the face that
 ///        was on its left, in their order, and those of the face on its right
+/// \param progress if it is interrupted, edges are left that are not Delaunay
 template <typename OnFlip>
-void flip_to_delaunay(Vertex_frames& frames, const OnFlip& on_flip)
+void flip_to_delaunay(Vertex_frames& frames, const OnFlip& on_flip, Progress& progress)
 {
   Triangulation_connectivity& mesh = frames.m_mesh;
   constexpr int null = Triangulation_connectivity::null;
@@ -105,7 +107,7 @@ void flip_to_delaunay(Vertex_frames& frames, const OnFlip& on_flip)
   std::vector<char> is_queued(mesh.number_of_edges(), 1);
   for (int e = 0; e < mesh.number_of_edges(); ++e)
     queue[e] = e;
-  while (!queue.empty() && flips_left > 0) {
+  while (!queue.empty() && flips_left > 0 && progress.go_on_after(4)) {
     const int e = queue.back(), h = 2 * e, g = h + 1;
     queue.pop_back();
     is_queued[e] = 0;
@@ -131,7 +133,7 @@ void flip_to_delaunay(Vertex_frames& frames, const OnFlip& on_flip)
 }
 
 /// does `flip_to_delaunay()`; the polar angles of the edges follow.
-inline void make_delaunay(Vertex_frames& frames)
+inline void make_delaunay(Vertex_frames& frames, Progress& progress)
 {
   const Triangulation_connectivity& mesh = frames.m_mesh;
   const auto place_after = [&frames, &mesh](const int flipped, const int clockwise_neighbor) {
@@ -139,10 +141,13 @@ inline void make_delaunay(Vertex_frames& frames)
     const double polar = frames.m_polar[clockwise_neighbor] + frames.corner_angle(mesh.previous(clockwise_neighbor));
     frames.m_polar[flipped] = polar >= total && frames.m_scale[mesh.source(flipped)] != 1 ? polar - total : polar;
   };
-  flip_to_delaunay(frames, [&](const int h, const int /*h1*/, const int h2, const int /*g1*/, const int g2) {
-    place_after(h, g2);
-    place_after(mesh.opposite(h), h2);
-  });
+  flip_to_delaunay(
+      frames,
+      [&](const int h, const int /*h1*/, const int h2, const int /*g1*/, const int g2) {
+        place_after(h, g2);
+        place_after(mesh.opposite(h), h2);
+      },
+      progress);
 }
 
 } // namespace internal

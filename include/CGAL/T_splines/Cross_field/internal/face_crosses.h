@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
 #include <CGAL/T_splines/Cross_field/internal/Vertex_frames.h>
 #include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <algorithm>
@@ -49,12 +50,16 @@ public:
   }
 
   /// counts the singularities of one component. Complexity: linear in its size.
-  int count(const std::vector<int>& faces, const std::vector<int>& vertices, const std::vector<double>& angle)
+  /// \param progress if it is interrupted, the number means nothing
+  int count(const std::vector<int>& faces, const std::vector<int>& vertices, const std::vector<double>& angle,
+            Progress& progress)
   {
     constexpr double border = std::numeric_limits<double>::infinity();
     for (const int v : vertices)
       m_turning[v] = 0;
     for (const int f : faces) {
+      if (!progress.go_on_after(5))
+        return 0;
       int h = m_mesh.halfedge_of_face(f);
       for (int corner = 0; corner < 3; ++corner, h = m_mesh.next(h)) {
         m_turning[m_mesh.target(h)] += m_geometry.m_corner_angle[h];

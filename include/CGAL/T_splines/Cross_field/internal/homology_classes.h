@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_HOMOLOGY_CLASSES_H
 
 #include <CGAL/T_splines/Cross_field/internal/homology_loops.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <cstddef>
@@ -82,8 +83,10 @@ private:
   std::vector<Index> m_depth;
 };
 
-/// The determinant of a square matrix, given by rows, modulo the prime p < 2^31.
-inline std::int64_t determinant_modulo(std::vector<std::vector<int>> matrix, const std::int64_t p)
+/// The determinant of a square matrix, given by rows, modulo the prime p < 2^31; any number if `progress` is
+/// interrupted.
+inline std::int64_t determinant_modulo(const std::vector<std::vector<int>>& matrix, const std::int64_t p,
+                                       Progress& progress)
 {
   const std::size_t n = matrix.size();
   std::vector<std::vector<std::int64_t>> a(n);
@@ -111,6 +114,8 @@ inline std::int64_t determinant_modulo(std::vector<std::vector<int>> matrix, con
     determinant = determinant * a[column][column] % p;
     const std::int64_t reciprocal = inverse(a[column][column]);
     for (std::size_t i = column + 1; i < n; ++i) {
+      if (!progress.go_on_after(1 + n / 8))
+        return 0;
       const std::int64_t factor = a[i][column] * reciprocal % p;
       if (factor == 0)
         continue;
@@ -124,13 +129,17 @@ inline std::int64_t determinant_modulo(std::vector<std::vector<int>> matrix, con
 /// tells whether closed strips generate the integer homology of a component: whether their matrix of coordinates has
 /// determinant 1 or -1. The determinant is computed modulo two primes, whose product exceeds 2^61.
 /// \pre There are 2g strips, and the component has no border.
+/// \return `true` if `progress` is interrupted.
 inline bool generate_homology(const Triangulation_connectivity& mesh, const std::vector<double>& dual_length,
-                              const std::vector<int>& faces, const std::vector<std::vector<int>>& strips)
+                              const std::vector<int>& faces, const std::vector<std::vector<int>>& strips,
+                              Progress& progress)
 {
   if (strips.empty())
     return true;
   Tree_cotree_decomposition decomposition(mesh, dual_length);
-  decomposition.decompose(faces, faces.front());
+  decomposition.decompose(faces, faces.front(), progress);
+  if (progress.is_interrupted())
+    return true;
   const Primal_cycles cycles(mesh, decomposition, faces);
   std::vector<std::vector<int>> coordinates(strips.size());
   std::vector<int> crossing(mesh.number_of_halfedges(), 0);
@@ -145,14 +154,17 @@ inline bool generate_homology(const Triangulation_connectivity& mesh, const std:
       for (const int h : strips[i])
         sum += crossing[h];
       coordinates[i].push_back(sum);
+      if (!progress.go_on_after(1 + strips[i].size() / 8))
+        return true;
     }
     for (const int h : cycle)
       crossing[h] = crossing[mesh.opposite(h)] = 0;
   }
   constexpr std::int64_t primes[] = {2147483647, 2147483629};
-  const std::int64_t first = determinant_modulo(coordinates, primes[0]);
-  const std::int64_t second = determinant_modulo(coordinates, primes[1]);
-  return (first == 1 && second == 1) || (first == primes[0] - 1 && second == primes[1] - 1);
+  const std::int64_t first = determinant_modulo(coordinates, primes[0], progress);
+  const std::int64_t second = determinant_modulo(coordinates, primes[1], progress);
+  return progress.is_interrupted() || (first == 1 && second == 1) ||
+         (first == primes[0] - 1 && second == primes[1] - 1);
 }
 
 } // namespace internal

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_HOMOLOGY_LOOPS_H
 
 #include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <CGAL/assertions.h>
@@ -47,14 +48,22 @@ public:
   }
 
   /// decomposes the component of `faces` with the root `root`.
-  /// \return the total length of the loops.
-  double decompose(const std::vector<Index>& faces, const Index root)
+  /// \return the total length of the loops. If `progress` is interrupted there is no decomposition.
+  double decompose(const std::vector<Index>& faces, const Index root, Progress& progress)
   {
-    grow_dual_tree(faces, root);
+    m_generators.clear();
+    grow_dual_tree(faces, root, progress);
+    if (!progress.go_on())
+      return 0;
     find_core(faces);
     m_loop_length.clear();
-    for (const Index e : m_core)
+    for (const Index e : m_core) {
+      if (!progress.go_on_after(m_depth[m_mesh.face(2 * e)] / 8))
+        return 0;
       m_loop_length.emplace_back(loop_length(e), e);
+    }
+    if (!progress.go_on())
+      return 0;
     return grow_primal_tree();
   }
 
@@ -86,7 +95,7 @@ public:
 private:
   Index parent(const Index f) const { return m_mesh.face(m_mesh.opposite(m_entry[f])); }
 
-  void grow_dual_tree(const std::vector<Index>& faces, const Index root)
+  void grow_dual_tree(const std::vector<Index>& faces, const Index root, Progress& progress)
   {
     for (const Index f : faces)
       m_distance[f] = std::numeric_limits<double>::infinity();
@@ -96,7 +105,7 @@ private:
     m_depth[root] = 0;
     m_entry[root] = null;
     queue.emplace(0., root);
-    while (!queue.empty()) {
+    while (!queue.empty() && progress.go_on_after(10)) {
       const auto [distance, f] = queue.top();
       queue.pop();
       if (distance > m_distance[f])
@@ -234,6 +243,7 @@ private:
 /// computes, for each component of a closed triangulation, 2g short loops that generate its homology.
 ///
 /// \param dual_length per edge: the length of a dual path across it, not negative
+/// \param progress if it is interrupted, what is returned is incomplete
 /// \param number_of_roots how many decompositions are tried per component; the one with the shortest loops is kept
 /// \return the loops, component by component, each as the cyclic sequence of the halfedges by which it enters its faces,
 ///         as in `Holonomy_signature::Loop`; no loop enters a face twice.
@@ -241,7 +251,8 @@ private:
 /// Complexity: O(n log n) with n faces, and the total length of the loops.
 inline std::vector<std::vector<int>> homology_loops(const Triangulation_connectivity& mesh,
                                                     const std::vector<double>& dual_length,
-                                                    const Mesh_components& components, const int number_of_roots = 2)
+                                                    const Mesh_components& components, Progress& progress,
+                                                    const int number_of_roots = 2)
 {
   std::vector<std::vector<int>> loops;
   std::vector<std::vector<int>> faces(components.size());
@@ -256,10 +267,14 @@ inline std::vector<std::vector<int>> homology_loops(const Triangulation_connecti
     double shortest = std::numeric_limits<double>::infinity();
     std::vector<std::vector<int>> best;
     for (int trial = 0; trial < number_of_roots; ++trial) {
-      const double length = decomposition.decompose(faces[c], root);
+      const double length = decomposition.decompose(faces[c], root, progress);
       std::vector<std::vector<int>> trial_loops;
-      for (const int e : decomposition.generators())
+      for (const int e : decomposition.generators()) {
         trial_loops.push_back(decomposition.loop(e));
+        progress.go_on_after(trial_loops.back().size());
+      }
+      if (progress.is_interrupted())
+        return loops;
       CGAL_postcondition(static_cast<int>(trial_loops.size()) == 2 * components.genus(c));
       const std::vector<int>& shortest_loop = trial_loops.front();
       root = mesh.face(shortest_loop[shortest_loop.size() / 2]);

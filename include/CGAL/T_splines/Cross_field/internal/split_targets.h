@@ -6,8 +6,9 @@
 
 #include <CGAL/T_splines/Cross_field/internal/Edge_distances.h>
 #include <CGAL/T_splines/Cross_field/internal/Scale_energy.h>
-#include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
 #include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
+#include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <CGAL/number_type_config.h>
@@ -29,10 +30,11 @@ namespace internal {
 /// \param cones those to be split, which are vertices
 /// \param spacing per component: the distance
 /// \param most how many there are at most, about
+/// \param progress if it is interrupted, there are fewer
 /// Complexity: a search around each cone and each vertex found.
 inline std::vector<int> split_targets(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry,
                                       const Mesh_components& components, const std::vector<int>& cones,
-                                      const std::vector<double>& spacing, const std::size_t most)
+                                      const std::vector<double>& spacing, const std::size_t most, Progress& progress)
 {
   constexpr double sharp = CGAL_PI / 8;
   std::vector<char> has_cones(components.size(), 0);
@@ -54,16 +56,18 @@ inline std::vector<int> split_targets(const Triangulation_connectivity& mesh, co
     std::size_t number = 0;
     distances.search(cone, [&](const int v, double) {
       if (is_near[v] != 0)
-        return true;
+        return progress.go_on_after(10);
       to_target.search(v, [&](const int w, const double distance) {
         const bool is_within = distance < spacing[components.of_vertex[v]];
         if (is_within)
           is_near[w] = 1;
-        return is_within;
+        return progress.go_on_after(10) && is_within;
       });
       targets.push_back(v);
-      return ++number < most_per_cone;
+      return ++number < most_per_cone && !progress.is_interrupted();
     });
+    if (progress.is_interrupted())
+      break;
   }
   return targets;
 }

@@ -19,6 +19,9 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
+/// How long the parsing of a line takes, about, in the units of `Progress::go_on_after()`.
+constexpr std::size_t work_per_line = 10;
+
 /// Reads a text line by line and each line token by token, and knows the number of the line.
 ///
 /// Comments run from `#` to the end of the line. Lines end with LF, CR LF or CR. It copies nothing.

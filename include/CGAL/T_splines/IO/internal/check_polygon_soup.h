@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/IO/internal/Polygon_soup.h>
 #include <CGAL/T_splines/IO/internal/triangulate_polygon_soup.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -23,9 +24,11 @@ namespace internal {
 /// element of the file that is in the way. \pre All indices are in range.
 class Polygon_soup_checker {
 public:
-  Polygon_soup_checker(const Polygon_soup& soup, const bool is_boundary_admitted)
+  /// \param progress asked by `check()`; it must outlive this
+  Polygon_soup_checker(const Polygon_soup& soup, const bool is_boundary_admitted, Progress& progress)
     : m_soup(soup),
-      m_is_boundary_admitted(is_boundary_admitted)
+      m_is_boundary_admitted(is_boundary_admitted),
+      m_progress(progress)
   {
   }
 
@@ -34,13 +37,14 @@ public:
     if (m_soup.number_of_polygons() == 0)
       return report_of(Mesh_reading_status::EMPTY);
     Mesh_reading_report report = check_polygons();
-    if (report.success())
+    const auto goes_on = [&] { return report.success() && m_progress.go_on(); };
+    if (goes_on())
       report = check_duplicates();
-    if (report.success())
+    if (goes_on())
       report = check_edges();
-    if (report.success())
+    if (goes_on())
       report = check_vertices();
-    return report;
+    return m_progress.go_on() ? report : report_of(Mesh_reading_status::INTERRUPTED);
   }
 
   /// The polygons alone: how many corners they have, and that these are different.
@@ -108,6 +112,8 @@ private:
       std::sort(result.begin(), result.end());
     };
     for (std::size_t f = 0; f < m_soup.number_of_polygons(); ++f) {
+      if (!m_progress.go_on_after(5))
+        return Mesh_reading_report();
       sorted_corners(f, a);
       for (const std::size_t other : polygons_of_least_vertex[a.front()]) {
         sorted_corners(other, b);
@@ -249,12 +255,14 @@ private:
 
   const Polygon_soup& m_soup;
   const bool m_is_boundary_admitted;
+  Progress& m_progress;
   std::vector<Side> m_sides;
   std::vector<std::size_t> m_opposite; ///< per corner: the corner at which the opposite side begins
 };
 
 /// Checks that no edge has length zero and that no triangle has area zero, exactly.
-inline Mesh_reading_report check_triangle_geometry(const Polygon_soup& soup, const Triangle_soup& triangles)
+inline Mesh_reading_report check_triangle_geometry(const Polygon_soup& soup, const Triangle_soup& triangles,
+                                                   Progress& progress)
 {
   using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
   const auto point = [&soup](const std::size_t v) {
@@ -263,6 +271,10 @@ inline Mesh_reading_report check_triangle_geometry(const Polygon_soup& soup, con
   for (std::size_t t = 0; t < triangles.triangles.size(); ++t) {
     const std::array<std::size_t, 3>& triangle = triangles.triangles[t];
     Mesh_reading_report report;
+    if (!progress.go_on_after(3)) {
+      report.status = Mesh_reading_status::INTERRUPTED;
+      return report;
+    }
     report.face = triangles.polygon_of_triangle[t];
     report.line = soup.line_of_polygon(report.face);
     for (std::size_t i = 0; i < 3; ++i)

@@ -12,6 +12,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/is_admissible.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <array>
@@ -31,6 +32,7 @@ inline T_mesh_reading_status reading_status(const Admissibility_status status)
   case Admissibility_status::WRONG_CORNER_COUNT: return T_mesh_reading_status::WRONG_NUMBER_OF_CORNERS;
   case Admissibility_status::OPPOSITE_SIDES_DIFFER: return T_mesh_reading_status::UNEQUAL_SIDES;
   case Admissibility_status::CYCLE_CONDITION_VIOLATED: return T_mesh_reading_status::CYCLE_CONDITION;
+  case Admissibility_status::INTERRUPTED: return T_mesh_reading_status::INTERRUPTED;
   }
   return T_mesh_reading_status::SUCCESS;
 }
@@ -38,12 +40,13 @@ inline T_mesh_reading_status reading_status(const Admissibility_status status)
 /// Whether the knots of a soup are admissible. It is asked on a graph of its own, so that the caller's graph is
 /// touched only if all is well.
 /// \pre `check_t_mesh_soup()` found nothing.
-inline T_mesh_reading_report check_t_mesh_knots(const T_mesh_soup& soup, const double relative_tolerance)
+inline T_mesh_reading_report check_t_mesh_knots(const T_mesh_soup& soup, const double relative_tolerance,
+                                                Progress& progress)
 {
   T_mesh<std::array<double, 3>> t_mesh;
   T_mesh_builder(soup, T_mesh_view_of<decltype(t_mesh)>(t_mesh));
-  const auto admissibility = is_admissible(t_mesh, parameters::relative_tolerance(relative_tolerance));
-  if (admissibility.success())
+  const auto admissibility = admissibility_report(t_mesh, parameters::relative_tolerance(relative_tolerance), progress);
+  if (admissibility.success() || progress.is_interrupted())
     return T_mesh_reading_report();
   const bool is_about_vertex = admissibility.status == Admissibility_status::CYCLE_CONDITION_VIOLATED;
   T_mesh_reading_report report =

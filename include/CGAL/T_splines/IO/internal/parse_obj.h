@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/IO/internal/Polygon_soup.h>
 #include <CGAL/T_splines/IO/internal/Text_scanner.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <algorithm>
 #include <array>
@@ -24,16 +25,17 @@ namespace internal {
 /// further down; they are checked when the file has been read.
 class Obj_parser {
 public:
-  Obj_parser(const std::string_view text, Polygon_soup& soup)
+  Obj_parser(const std::string_view text, Polygon_soup& soup, Progress& progress)
     : m_scanner(text, Text_scanner::Backslash::CONTINUES_LINE),
-      m_soup(soup)
+      m_soup(soup),
+      m_progress(progress)
   {
   }
 
   Mesh_reading_report parse()
   {
     Mesh_reading_report report;
-    while (report.success() && m_scanner.next_line()) {
+    while (report.success() && m_scanner.next_line() && m_progress.go_on_after(work_per_line)) {
       std::string_view keyword;
       m_scanner.next_token(keyword);
       if (is_keyword(keyword, "v"))
@@ -45,7 +47,7 @@ public:
       else if (!skip_statement(keyword))
         report = report_syntax(m_scanner, "a statement is expected here", keyword);
     }
-    return report.success() ? check_indices() : report;
+    return report.success() && !m_progress.is_interrupted() ? check_indices() : report;
   }
 
 private:
@@ -144,12 +146,13 @@ private:
 
   Text_scanner m_scanner;
   Polygon_soup& m_soup;
+  Progress& m_progress;
 };
 
-/// Parses an OBJ file.
-inline Mesh_reading_report parse_obj(const std::string_view text, Polygon_soup& soup)
+/// Parses an OBJ file. \param progress if it is interrupted, the report means nothing
+inline Mesh_reading_report parse_obj(const std::string_view text, Polygon_soup& soup, Progress& progress)
 {
-  return Obj_parser(text, soup).parse();
+  return Obj_parser(text, soup, progress).parse();
 }
 
 } // namespace internal

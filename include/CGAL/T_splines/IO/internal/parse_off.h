@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/IO/internal/Polygon_soup.h>
 #include <CGAL/T_splines/IO/internal/Text_scanner.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <algorithm>
 #include <array>
@@ -26,10 +27,11 @@ enum class Off_layout {
 /// Parses an OFF file that has one of the layouts.
 class Off_parser {
 public:
-  Off_parser(const std::string_view text, const Off_layout layout, Polygon_soup& soup)
+  Off_parser(const std::string_view text, const Off_layout layout, Polygon_soup& soup, Progress& progress)
     : m_scanner(text),
       m_is_free(layout == Off_layout::FREE_FORM),
-      m_soup(soup)
+      m_soup(soup),
+      m_progress(progress)
   {
   }
 
@@ -37,9 +39,9 @@ public:
   {
     Mesh_reading_report report = parse_header();
     m_soup.points.reserve(std::min(m_number_of_vertices, m_scanner.text_after_line().size()));
-    for (std::size_t v = 0; report.success() && v < m_number_of_vertices; ++v)
+    for (std::size_t v = 0; report.success() && v < m_number_of_vertices && m_progress.go_on_after(work_per_line); ++v)
       report = parse_vertex();
-    for (std::size_t f = 0; report.success() && f < m_number_of_faces; ++f)
+    for (std::size_t f = 0; report.success() && f < m_number_of_faces && m_progress.go_on_after(work_per_line); ++f)
       report = parse_face();
     if (report.success() && (m_is_free ? m_scanner.has_token() || m_scanner.next_line() : m_scanner.next_line()))
       return report_syntax(m_scanner, "more lines than the header announces");
@@ -192,6 +194,7 @@ private:
   Text_scanner m_scanner;
   bool m_is_free;
   Polygon_soup& m_soup;
+  Progress& m_progress;
   std::size_t m_number_of_vertices = 0, m_number_of_faces = 0, m_numbers_per_vertex = 3;
   std::size_t m_first_line = 0; ///< of the record
 };
@@ -200,13 +203,14 @@ private:
 ///
 /// Records may go on over several lines. A file whose lines do not fit is tried in free form; if this does not fit
 /// either, to the last number, the report is that of the lines, where most programs put their records.
-inline Mesh_reading_report parse_off(const std::string_view text, Polygon_soup& soup)
+/// \param progress if it is interrupted, the report means nothing
+inline Mesh_reading_report parse_off(const std::string_view text, Polygon_soup& soup, Progress& progress)
 {
-  const Mesh_reading_report report = Off_parser(text, Off_layout::LINES, soup).parse();
-  if (report.success())
+  const Mesh_reading_report report = Off_parser(text, Off_layout::LINES, soup, progress).parse();
+  if (report.success() || progress.is_interrupted())
     return report;
   Polygon_soup free_soup;
-  const Mesh_reading_report free_report = Off_parser(text, Off_layout::FREE_FORM, free_soup).parse();
+  const Mesh_reading_report free_report = Off_parser(text, Off_layout::FREE_FORM, free_soup, progress).parse();
   if (!free_report.success())
     return report;
   soup = std::move(free_soup);

@@ -5,8 +5,10 @@
 #define CGAL_T_SPLINES_IO_INTERNAL_PARSE_PLY_H
 
 #include <CGAL/T_splines/IO/internal/Binary_scanner.h>
+#include <CGAL/T_splines/IO/internal/Ply_header.h>
 #include <CGAL/T_splines/IO/internal/Polygon_soup.h>
 #include <CGAL/T_splines/IO/internal/Text_scanner.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <algorithm>
 #include <array>
@@ -20,65 +22,34 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-enum class Ply_type { NONE, INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 };
-
-struct Ply_property {
-  std::string_view name;
-  Ply_type type = Ply_type::NONE;
-  Ply_type size_type = Ply_type::NONE; ///< of a list; NONE: no list
-};
-
-struct Ply_element {
-  std::string_view name;
-  std::size_t count = 0;
-  std::vector<Ply_property> properties;
-};
-
-inline Ply_type ply_type(const std::string_view name)
-{
-  constexpr std::array<std::array<std::string_view, 2>, 8> names = {{{"char", "int8"},
-                                                                     {"uchar", "uint8"},
-                                                                     {"short", "int16"},
-                                                                     {"ushort", "uint16"},
-                                                                     {"int", "int32"},
-                                                                     {"uint", "uint32"},
-                                                                     {"float", "float32"},
-                                                                     {"double", "float64"}}};
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (name == names[i][0] || name == names[i][1])
-      return static_cast<Ply_type>(i + 1);
-  return Ply_type::NONE;
-}
-
-inline std::size_t size_of(const Ply_type type)
-{
-  constexpr std::array<std::size_t, 9> sizes = {0, 1, 1, 2, 2, 4, 4, 4, 8};
-  return sizes[static_cast<std::size_t>(type)];
-}
-
 /// Parses a PLY file: ASCII or binary in either byte order, with any other elements and properties, which are skipped.
 class Ply_parser {
 public:
-  Ply_parser(const std::string_view data, Polygon_soup& soup)
+  Ply_parser(const std::string_view data, Polygon_soup& soup, Progress& progress)
     : m_data(data),
       m_text(data),
       m_bytes(data, Byte_order::LITTLE),
-      m_soup(soup)
+      m_soup(soup),
+      m_progress(progress)
   {
   }
 
   Mesh_reading_report parse()
   {
-    Mesh_reading_report report = parse_header();
+    Mesh_reading_report report = m_header.parse(m_text, m_data);
+    m_bytes = Binary_scanner(m_text.text_after_line(), m_header.byte_order());
     if (report.success() && !has_points_and_faces())
       report =
           report_syntax(m_text, "element vertex with x, y, z and element face with list vertex_indices are needed");
-    for (const Ply_element& element : m_elements)
-      for (std::size_t i = 0; report.success() && !element.properties.empty() && i < element.count; ++i)
+    for (const Ply_element& element : m_header.elements())
+      for (std::size_t i = 0; report.success() && !element.properties.empty() && i < element.count; ++i) {
+        if (!m_progress.go_on_after(work_per_line))
+          return report;
         report = parse_row(element, i);
-    if (report.success() && m_is_ascii && m_text.next_line())
+      }
+    if (report.success() && m_header.is_text() && m_text.next_line())
       report = report_syntax(m_text, "more lines than the header announces");
-    else if (report.success() && !m_is_ascii && m_bytes.remaining_bytes() > 1) { // a last line feed is harmless
+    else if (report.success() && !m_header.is_text() && m_bytes.remaining_bytes() > 1) { // a last line feed is harmless
       report.status = Mesh_reading_status::SYNTAX_ERROR;
       report.detail = "more data than the header announces";
     }
@@ -86,65 +57,10 @@ public:
   }
 
 private:
-  Mesh_reading_report parse_header()
-  {
-    constexpr std::string_view first_keyword = "ply", last_keyword = "end_header";
-    std::string_view keyword;
-    if (!m_text.next_line())
-      return report_at(m_text, Mesh_reading_status::EMPTY);
-    m_text.next_token(keyword);
-    if (!is_keyword(keyword, first_keyword))
-      return report_syntax(m_text, "the keyword ply is expected here", keyword);
-    if (m_data.find(last_keyword) == std::string_view::npos) // so that binary data is not scanned
-      return report_at(m_text, Mesh_reading_status::TRUNCATED);
-    Mesh_reading_report report;
-    while (report.success() && m_text.next_line()) {
-      m_text.next_token(keyword);
-      if (keyword == last_keyword) {
-        m_bytes = Binary_scanner(m_text.text_after_line(), m_order);
-        return report;
-      }
-      report = parse_header_line(keyword);
-    }
-    return report.success() ? report_at(m_text, Mesh_reading_status::TRUNCATED) : report;
-  }
-
-  Mesh_reading_report parse_header_line(const std::string_view keyword)
-  {
-    std::array<std::string_view, 4> words;
-    for (std::string_view& word : words)
-      m_text.next_token(word);
-    const auto error = [this](const std::string_view text) {
-      return report_at(m_text, Mesh_reading_status::SYNTAX_ERROR, text);
-    };
-    if (keyword == "comment" || keyword == "obj_info")
-      return Mesh_reading_report();
-    if (keyword == "format") {
-      if (words[0] != "ascii" && words[0] != "binary_little_endian" && words[0] != "binary_big_endian")
-        return report_at(m_text, Mesh_reading_status::UNSUPPORTED_VARIANT, words[0]);
-      m_is_ascii = words[0] == "ascii";
-      m_order = words[0] == "binary_big_endian" ? Byte_order::BIG : Byte_order::LITTLE;
-      return Mesh_reading_report();
-    }
-    if (keyword == "element") {
-      m_elements.push_back({words[0], 0, {}});
-      return parse_integer(words[1], m_elements.back().count) ? Mesh_reading_report() : error(words[1]);
-    }
-    if (keyword != "property" || m_elements.empty())
-      return error(keyword);
-    const bool is_list = words[0] == "list";
-    const Ply_property property = is_list ? Ply_property{words[3], ply_type(words[2]), ply_type(words[1])}
-                                          : Ply_property{words[1], ply_type(words[0]), Ply_type::NONE};
-    if (property.type == Ply_type::NONE || (is_list && property.size_type == Ply_type::NONE) || property.name.empty())
-      return error(is_list ? words[2] : words[0]);
-    m_elements.back().properties.push_back(property);
-    return Mesh_reading_report();
-  }
-
   bool has_points_and_faces() const
   {
     std::size_t coordinates = 0, lists = 0;
-    for (const Ply_element& element : m_elements)
+    for (const Ply_element& element : m_header.elements())
       for (const Ply_property& property : element.properties) {
         coordinates += coordinate_index(element, property) < 3;
         lists += is_corner_list(element, property);
@@ -170,7 +86,7 @@ private:
   {
     Mesh_reading_report report;
     std::array<double, 3> point = {0, 0, 0};
-    if (m_is_ascii && !m_text.next_line())
+    if (m_header.is_text() && !m_text.next_line())
       return report_at(m_text, Mesh_reading_status::TRUNCATED);
     m_line_of_row = m_text.line();
     for (const Ply_property& property : element.properties) {
@@ -179,12 +95,12 @@ private:
         return name_row(element, row, report);
     }
     std::string_view token;
-    if (m_is_ascii && m_text.line() != m_line_of_row && m_text.has_token()) {
+    if (m_header.is_text() && m_text.line() != m_line_of_row && m_text.has_token()) {
       report = report_syntax(m_text, "a number is missing");
       report.line = m_line_of_row;
       return name_row(element, row, report);
     }
-    if (m_is_ascii && m_text.next_token(token))
+    if (m_header.is_text() && m_text.next_token(token))
       return name_row(element, row, report_at(m_text, Mesh_reading_status::SYNTAX_ERROR, token));
     end_row(element, point);
     return report;
@@ -197,7 +113,7 @@ private:
     Mesh_reading_report report;
     if (property.size_type != Ply_type::NONE)
       report = read_number(property.size_type, value);
-    if (report.success() && !is_index(value))
+    if (report.success() && !is_ply_index(value))
       report = report_here(Mesh_reading_status::SYNTAX_ERROR);
     const std::size_t coordinate = coordinate_index(element, property);
     const bool is_corner = is_corner_list(element, property);
@@ -212,8 +128,6 @@ private:
     return report;
   }
 
-  static bool is_index(const double value) { return value >= 0 && value <= 4294967295.0 && value == std::floor(value); }
-
   Mesh_reading_report take_coordinate(const double value, double& coordinate) const
   {
     coordinate = value;
@@ -222,7 +136,7 @@ private:
 
   Mesh_reading_report take_corner(const double value)
   {
-    if (!is_index(value))
+    if (!is_ply_index(value))
       return report_here(Mesh_reading_status::INDEX_OUT_OF_RANGE);
     m_soup.corners.push_back(static_cast<std::size_t>(value));
     return Mesh_reading_report();
@@ -232,12 +146,12 @@ private:
   {
     if (element.name == "vertex") {
       m_soup.points.push_back(point);
-      if (m_is_ascii)
+      if (m_header.is_text())
         m_soup.point_lines.push_back(m_line_of_row);
     }
     else if (element.name == "face") {
       m_soup.end_polygon();
-      if (m_is_ascii)
+      if (m_header.is_text())
         m_soup.polygon_lines.push_back(m_line_of_row);
     }
   }
@@ -255,14 +169,14 @@ private:
   {
     Mesh_reading_report report;
     report.status = status;
-    if (m_is_ascii)
+    if (m_header.is_text())
       report.line = m_text.line();
     return report;
   }
 
   Mesh_reading_report read_number(const Ply_type type, double& value)
   {
-    if (m_is_ascii) {
+    if (m_header.is_text()) {
       std::string_view token;
       if (!m_text.next_token_over_lines(token))
         return report_at(m_text, Mesh_reading_status::TRUNCATED);
@@ -271,24 +185,8 @@ private:
     }
     if (m_bytes.remaining_bytes() < size_of(type))
       return report_here(Mesh_reading_status::TRUNCATED);
-    value = read_binary(type);
+    value = read_binary(m_bytes, type);
     return Mesh_reading_report();
-  }
-
-  double read_binary(const Ply_type type)
-  {
-    switch (type) {
-    case Ply_type::NONE: return 0;
-    case Ply_type::INT8: return m_bytes.read<std::int8_t>();
-    case Ply_type::UINT8: return m_bytes.read<std::uint8_t>();
-    case Ply_type::INT16: return m_bytes.read<std::int16_t>();
-    case Ply_type::UINT16: return m_bytes.read<std::uint16_t>();
-    case Ply_type::INT32: return m_bytes.read<std::int32_t>();
-    case Ply_type::UINT32: return m_bytes.read<std::uint32_t>();
-    case Ply_type::FLOAT32: return static_cast<double>(m_bytes.read<float>());
-    case Ply_type::FLOAT64: return m_bytes.read<double>();
-    }
-    return 0;
   }
 
   Mesh_reading_report check_indices() const
@@ -310,16 +208,15 @@ private:
   Text_scanner m_text;
   Binary_scanner m_bytes;
   Polygon_soup& m_soup;
-  std::vector<Ply_element> m_elements;
-  bool m_is_ascii = true;
+  Progress& m_progress;
+  Ply_header m_header;
   std::size_t m_line_of_row = 0;
-  Byte_order m_order = Byte_order::LITTLE;
 };
 
-/// Parses a PLY file.
-inline Mesh_reading_report parse_ply(const std::string_view data, Polygon_soup& soup)
+/// Parses a PLY file. \param progress if it is interrupted, the report means nothing
+inline Mesh_reading_report parse_ply(const std::string_view data, Polygon_soup& soup, Progress& progress)
 {
-  return Ply_parser(data, soup).parse();
+  return Ply_parser(data, soup, progress).parse();
 }
 
 } // namespace internal

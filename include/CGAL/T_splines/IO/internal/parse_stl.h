@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/IO/internal/Binary_scanner.h>
 #include <CGAL/T_splines/IO/internal/Polygon_soup.h>
 #include <CGAL/T_splines/IO/internal/Text_scanner.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <boost/functional/hash.hpp>
 
@@ -47,14 +48,14 @@ private:
   std::unordered_map<std::array<double, 3>, std::size_t, boost::hash<std::array<double, 3>>> m_vertex_of_point;
 };
 
-inline Mesh_reading_report parse_binary_stl(const std::string_view data, Polygon_soup& soup)
+inline Mesh_reading_report parse_binary_stl(const std::string_view data, Polygon_soup& soup, Progress& progress)
 {
   constexpr std::size_t header_size = 80;
   Binary_scanner scanner(data.substr(header_size), Byte_order::LITTLE);
   const std::uint32_t n = scanner.read<std::uint32_t>();
   Stl_soup_builder builder(soup);
   Mesh_reading_report report;
-  for (std::uint32_t f = 0; f < n; ++f) {
+  for (std::uint32_t f = 0; f < n && progress.go_on_after(work_per_line); ++f) {
     for (int i = 0; i < 3; ++i)
       scanner.read<float>(); // the normal
     for (int corner = 0; corner < 3; ++corner) {
@@ -78,14 +79,20 @@ inline Mesh_reading_report parse_binary_stl(const std::string_view data, Polygon
 /// and "endsolid", which a name follows.
 class Ascii_stl_parser {
 public:
-  Ascii_stl_parser(const std::string_view text, Polygon_soup& soup) : m_scanner(text), m_soup(soup), m_builder(soup) {}
+  Ascii_stl_parser(const std::string_view text, Polygon_soup& soup, Progress& progress)
+    : m_scanner(text),
+      m_soup(soup),
+      m_progress(progress),
+      m_builder(soup)
+  {
+  }
 
   Mesh_reading_report parse()
   {
     std::string_view token;
     Mesh_reading_report report;
     bool is_inside_solid = false;
-    while (report.success() && m_scanner.next_token_over_lines(token)) {
+    while (report.success() && m_scanner.next_token_over_lines(token) && m_progress.go_on_after(4 * work_per_line)) {
       if (is_keyword(token, is_inside_solid ? "endsolid" : "solid")) {
         is_inside_solid = !is_inside_solid;
         m_scanner.skip_rest_of_line();
@@ -162,13 +169,15 @@ private:
 
   Text_scanner m_scanner;
   Polygon_soup& m_soup;
+  Progress& m_progress;
   Stl_soup_builder m_builder;
 };
 
 /// Parses an STL file, binary or ASCII: a file is binary if it is as long as its count of facets says, or longer; some
 /// programs append data of their own. (Many binary files begin with the word "solid". The count is in bytes 80 to 83:
 /// where they are text, it stands for more than 7 gigabytes.)
-inline Mesh_reading_report parse_stl(const std::string_view data, Polygon_soup& soup)
+/// \param progress if it is interrupted, the report means nothing
+inline Mesh_reading_report parse_stl(const std::string_view data, Polygon_soup& soup, Progress& progress)
 {
   constexpr std::size_t header_size = 84, facet_size = 50;
   std::uint64_t size_if_binary = 0;
@@ -179,7 +188,7 @@ inline Mesh_reading_report parse_stl(const std::string_view data, Polygon_soup& 
   Mesh_reading_report report;
   if (data.size() >= header_size && data.size() >= size_if_binary) {
     soup.number_of_trailing_bytes = data.size() - static_cast<std::size_t>(size_if_binary);
-    return parse_binary_stl(data, soup);
+    return parse_binary_stl(data, soup, progress);
   }
   const std::string_view text = without_byte_order_mark(data);
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
@@ -187,7 +196,7 @@ inline Mesh_reading_report parse_stl(const std::string_view data, Polygon_soup& 
   if (begin == std::string_view::npos)
     report.status = Mesh_reading_status::EMPTY;
   else if (is_keyword(text.substr(begin, 5), "solid") && !has_zeros)
-    report = Ascii_stl_parser(text, soup).parse();
+    report = Ascii_stl_parser(text, soup, progress).parse();
   else if (has_mark_of_utf_16(data)) {
     report.status = Mesh_reading_status::UNSUPPORTED_VARIANT;
     report.text = "UTF-16";

@@ -17,6 +17,8 @@
 #include <CGAL/T_splines/IO/internal/remove_degenerate_triangles.h>
 #include <CGAL/T_splines/IO/internal/repair_polygon_soup.h>
 #include <CGAL/T_splines/IO/internal/triangulate_polygon_soup.h>
+#include <CGAL/T_splines/defaults.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <algorithm>
 #include <cctype>
@@ -42,10 +44,18 @@ inline std::string lowercase_extension(const std::string& filename)
   return extension;
 }
 
-/// Reads what stands in a file, by the parser of its extension.
-inline Mesh_reading_report parse_mesh_file(const std::string& filename, Polygon_soup& soup)
+/// The report if the visitor stopped the work.
+inline Mesh_reading_report interrupted_reading()
 {
-  using Parser = Mesh_reading_report (*)(std::string_view, Polygon_soup&);
+  Mesh_reading_report report;
+  report.status = Mesh_reading_status::INTERRUPTED;
+  return report;
+}
+
+/// Reads what stands in a file, by the parser of its extension.
+inline Mesh_reading_report parse_mesh_file(const std::string& filename, Polygon_soup& soup, Progress& progress)
+{
+  using Parser = Mesh_reading_report (*)(std::string_view, Polygon_soup&, Progress&);
   const std::string extension = lowercase_extension(filename);
   const Parser parser = extension == ".off"   ? Parser(parse_off)
                         : extension == ".obj" ? Parser(parse_obj)
@@ -61,14 +71,14 @@ inline Mesh_reading_report parse_mesh_file(const std::string& filename, Polygon_
   else if (content.find_first_not_of(" \t\r\n") == std::string::npos)
     report.status = Mesh_reading_status::EMPTY;
   else if (extension == ".stl") // binary or text
-    report = parse_stl(content, soup);
+    report = parse_stl(content, soup, progress);
   else if (has_mark_of_utf_16(content)) {
     report.status = Mesh_reading_status::UNSUPPORTED_VARIANT;
     report.text = "UTF-16";
   }
   else
-    report = parser(without_byte_order_mark(content), soup);
-  return report;
+    report = parser(without_byte_order_mark(content), soup, progress);
+  return progress.go_on() ? report : interrupted_reading();
 }
 
 /// Counts the boundary edges and the loops that they form.
@@ -110,10 +120,12 @@ inline void count_elements(const Polygon_soup& soup, Mesh_reading_report& report
 /// Merges or repairs as asked for, checks, and triangulates.
 class Soup_triangulation {
 public:
-  Soup_triangulation(const Mesh_reading_options& options, Polygon_soup& soup, Triangle_soup& triangles)
+  Soup_triangulation(const Mesh_reading_options& options, Polygon_soup& soup, Triangle_soup& triangles,
+                     Progress& progress)
     : m_options(options),
       m_soup(soup),
-      m_triangles(triangles)
+      m_triangles(triangles),
+      m_progress(progress)
   {
   }
 
@@ -147,17 +159,21 @@ private:
   {
     Mesh_reading_report report;
     if (!m_options.is_repaired)
-      report = Polygon_soup_checker(m_soup, true).check_polygons();
+      report = Polygon_soup_checker(m_soup, true, m_progress).check_polygons();
     if (!report.success())
       return report;
+    if (!m_progress.go_on())
+      return interrupted_reading();
     merge(repairs);
-    report = Polygon_soup_checker(m_soup, m_options.is_boundary_admitted).check();
+    m_progress.progress(0.6);
+    report = Polygon_soup_checker(m_soup, m_options.is_boundary_admitted, m_progress).check();
     if (!report.success())
       return report;
     m_triangles = triangulate_polygon_soup(m_soup);
-    if (m_options.is_repaired && remove_degenerate_triangles(m_soup, m_triangles, repairs))
-      report = Polygon_soup_checker(m_soup, m_options.is_boundary_admitted).check();
-    return report.success() ? check_triangle_geometry(m_soup, m_triangles) : report;
+    m_progress.progress(0.9);
+    if (m_progress.go_on() && m_options.is_repaired && remove_degenerate_triangles(m_soup, m_triangles, repairs))
+      report = Polygon_soup_checker(m_soup, m_options.is_boundary_admitted, m_progress).check();
+    return report.success() ? check_triangle_geometry(m_soup, m_triangles, m_progress) : report;
   }
 
   void merge(Mesh_repairs& repairs)
@@ -167,7 +183,7 @@ private:
     const double distance = std::max(0., m_options.merge_distance) * m_longest_side;
     const double round_off = default_merge_distance * m_longest_side;
     if (m_options.is_repaired)
-      m_merged = repair_polygon_soup(distance, round_off, m_soup, repairs);
+      m_merged = repair_polygon_soup(distance, round_off, m_soup, repairs, m_progress);
     else if (m_options.merge_distance >= 0)
       m_merged = merge_boundaries(distance, round_off, Merge_conflicts::AVOIDED, m_soup);
   }
@@ -177,6 +193,7 @@ private:
   const Mesh_reading_options m_options;
   Polygon_soup& m_soup;
   Triangle_soup& m_triangles;
+  Progress& m_progress;
   double m_longest_side = 0;
   Merged_boundaries m_merged;
 };
@@ -195,17 +212,18 @@ inline double rounded_up(const double x)
 }
 
 /// Tries what would help against a refusal.
-inline void find_remedies(const std::string& filename, const Mesh_reading_options& options, Mesh_reading_report& report)
+inline void find_remedies(const std::string& filename, const Mesh_reading_options& options, Progress& progress,
+                          Mesh_reading_report& report)
 {
   constexpr double largest_advised_distance = 1e-3; // beyond it, merging would change what one sees
   Polygon_soup original;
-  if (!parse_mesh_file(filename, original).success())
+  if (!parse_mesh_file(filename, original, progress).success())
     return;
   double closing_distance = 0;
-  const auto succeeds = [&original, &closing_distance](const Mesh_reading_options& changed) {
+  const auto succeeds = [&original, &closing_distance, &progress](const Mesh_reading_options& changed) {
     Polygon_soup soup = original;
     Triangle_soup triangles;
-    Soup_triangulation triangulation(changed, soup, triangles);
+    Soup_triangulation triangulation(changed, soup, triangles, progress);
     const bool has_succeeded = triangulation.compute().success();
     closing_distance = triangulation.closing_distance();
     return has_succeeded;
@@ -226,19 +244,25 @@ inline void find_remedies(const std::string& filename, const Mesh_reading_option
 
 /// Reads a file, checks everything and triangulates: what the public readers have in common.
 inline Mesh_reading_report read_triangle_soup(const std::string& filename, const Mesh_reading_options& options,
-                                              Polygon_soup& soup, Triangle_soup& triangles)
+                                              Polygon_soup& soup, Triangle_soup& triangles, Progress& progress)
 {
-  Mesh_reading_report report = parse_mesh_file(filename, soup);
+  if (!progress.go_on())
+    return interrupted_reading();
+  Mesh_reading_report report = parse_mesh_file(filename, soup, progress);
   if (!report.success())
     return report;
-  report = Soup_triangulation(options, soup, triangles).compute();
+  progress.progress(0.4);
+  report = Soup_triangulation(options, soup, triangles, progress).compute();
+  progress.progress(1);
+  if (!progress.go_on())
+    return interrupted_reading();
   if (report.success())
     return report;
   if (report.status == Mesh_reading_status::BOUNDARY)
     count_boundary(soup, report);
   if (!options.is_boundary_admitted)
-    find_remedies(filename, options, report);
-  return report;
+    find_remedies(filename, options, progress, report);
+  return progress.is_interrupted() ? interrupted_reading() : report;
 }
 
 } // namespace internal

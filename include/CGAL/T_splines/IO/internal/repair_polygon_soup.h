@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/IO/internal/check_polygon_soup.h>
 #include <CGAL/T_splines/IO/internal/edit_polygon_soup.h>
 #include <CGAL/T_splines/IO/internal/merge_boundaries.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -197,18 +198,31 @@ inline void remove_isolated_points(Polygon_soup& soup, Mesh_repairs& repairs)
 
 /// Repairs what can be repaired without points at new places. Ends of boundary edges are merged as by `merge_boundaries()`,
 /// those of sides that are not longer than the distance, too.
+/// \param progress if it is interrupted, the repair is not complete
 inline Merged_boundaries repair_polygon_soup(const double distance, const double round_off, Polygon_soup& soup,
-                                             Mesh_repairs& repairs)
+                                             Mesh_repairs& repairs, Progress& progress)
 {
   const std::size_t number_of_points = soup.points.size();
   const Merged_boundaries collapsed = collapse_short_sides(distance, soup);
   remove_degenerate_polygons(soup, repairs);
+  if (!progress.go_on())
+    return collapsed;
   remove_duplicate_polygons(soup, repairs);
+  if (!progress.go_on())
+    return collapsed;
   Merged_boundaries result = merge_boundaries(distance, round_off, Merge_conflicts::ADMITTED, soup);
+  if (!progress.go_on())
+    return result;
   remove_degenerate_polygons(soup, repairs);
   remove_duplicate_polygons(soup, repairs);
-  if (Polygon_soup_checker(soup, true).check_polygons().success()) // else some are no simple cycles, and are refused
+  if (!progress.go_on())
+    return result;
+  if (Polygon_soup_checker(soup, true, progress)
+          .check_polygons()
+          .success()) // else some are no simple cycles, and are refused
     orient_polygons(soup, repairs);
+  if (!progress.go_on())
+    return result;
   const Merged_boundaries second = merge_boundaries(distance, round_off, Merge_conflicts::AVOIDED, soup);
   remove_isolated_points(soup, repairs);
 

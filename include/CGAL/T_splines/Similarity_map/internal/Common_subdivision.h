@@ -5,11 +5,12 @@
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_COMMON_SUBDIVISION_H
 
 #include <CGAL/T_splines/Similarity_map/internal/Chord_arrangement.h>
+#include <CGAL/T_splines/Similarity_map/internal/Convex_cell.h>
 #include <CGAL/T_splines/Similarity_map/internal/Edge_crossings.h>
 #include <CGAL/T_splines/Similarity_map/internal/Flat_layout.h>
 #include <CGAL/T_splines/Similarity_map/internal/Refined_triangulation.h>
 #include <CGAL/T_splines/Similarity_map/internal/Subdivision_nodes.h>
-#include <CGAL/T_splines/Similarity_map/internal/Convex_cell.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <CGAL/assertions.h>
@@ -42,10 +43,12 @@ public:
   /// \param points of the input's vertices
   /// \param form xi on the final triangulation, of the halfedge 2e per edge e
   /// \param most_nodes where there would be more, the subdivision is left unfinished
+  /// \param progress if it is interrupted, the same
   Common_subdivision(const Triangulation_connectivity& input, const std::vector<std::array<double, 3>>& points,
                      const Triangulation_connectivity& middle, const Triangulation_connectivity& last,
                      const Input_crossings<FT>& input_crossings, const Final_crossings<FT>& final_crossings,
-                     const std::vector<FT>& form, const Flat_layout<FT>& layout, const std::int64_t most_nodes)
+                     const std::vector<FT>& form, const Flat_layout<FT>& layout, const std::int64_t most_nodes,
+                     Progress& progress)
     : m_input(input),
       m_middle(middle),
       m_last(last),
@@ -54,22 +57,32 @@ public:
       m_layout(layout),
       m_nodes(input, points, middle, last, input_crossings, final_crossings, form, layout)
   {
+    progress.progress(0.2);
+    if (!progress.go_on())
+      return;
     collect_chords();
     // On a closed surface, each added vertex adds two triangles; crossings inside of middle triangles come on top.
     m_triangles.reserve(middle.number_of_faces() + 2 * m_nodes.number_on_edges());
     for (int f = 0; f < middle.number_of_faces(); ++f) {
+      if (f % 1024 == 0)
+        progress.progress(0.25 + 0.35 * f / middle.number_of_faces());
       // Each chord of one family crosses each of the other at most once.
       const std::int64_t first_chords = m_first_begin[f + 1] - m_first_begin[f],
                          second_chords = m_second_begin[f + 1] - m_second_begin[f];
       if (m_nodes.size() > most_nodes || first_chords * second_chords > 4 * most_nodes)
         return;
+      if (!progress.go_on_after(20 + 20 * static_cast<std::size_t>(first_chords + second_chords)))
+        return;
       subdivide(f);
     }
+    if (!progress.go_on())
+      return;
     m_is_complete = true;
     m_result.point = std::move(m_nodes.points());
     m_result.place = std::move(m_nodes.places());
     m_first_chords = m_second_chords = {}; // their memory is wanted
-    connect();
+    progress.progress(0.7);
+    connect(progress);
   }
 
   /// Whether the subdivision was made; else it would have too many nodes.
@@ -372,7 +385,7 @@ private:
   }
 
   // Makes the connectivity of the triangles. The refined mesh is simple: its edges are straight in the input's faces.
-  void connect()
+  void connect(Progress& progress)
   {
     const int number_of_triangles = static_cast<int>(m_triangles.size());
     std::vector<std::pair<std::uint64_t, int>> keys(3 * m_triangles.size());
@@ -380,7 +393,11 @@ private:
       const std::uint64_t a = m_triangles[i / 3].node[i % 3], b = m_triangles[i / 3].node[(i + 1) % 3];
       keys[i] = {(std::min(a, b) << 32) | std::max(a, b), i};
     }
+    if (!progress.go_on())
+      return;
     std::sort(keys.begin(), keys.end());
+    if (!progress.go_on())
+      return;
     std::vector<int> halfedge(keys.size());
     for (std::size_t i = 0; i < keys.size(); ++i) {
       CGAL_assertion(keys[i].first == keys[i ^ 1].first);

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Similarity_map/internal/Flat_layout.h>
 #include <CGAL/T_splines/Similarity_map/internal/Normal_coordinates.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <CGAL/assertions.h>
@@ -76,8 +77,9 @@ public:
 
   /// \param coordinates of the input edges on the middle triangulation; empty if the two are the same
   /// \param length of the input's edges
+  /// \param progress if it is interrupted, the crossings may not be used
   Input_crossings(const Triangulation_connectivity& input, const Triangulation_connectivity& middle,
-                  const Normal_coordinates& coordinates, const std::vector<FT>& length)
+                  const Normal_coordinates& coordinates, const std::vector<FT>& length, Progress& progress)
     : m_begin(middle.number_of_edges() + 1, 0),
       m_input_of_middle(middle.number_of_halfedges(), Triangulation_connectivity::null)
   {
@@ -91,7 +93,7 @@ public:
     m_points.resize(m_begin.back());
     trace(input, middle, coordinates);
     for (int e = 0; e < middle.number_of_edges(); ++e)
-      if (m_begin[e] != m_begin[e + 1])
+      if (m_begin[e] != m_begin[e + 1] && progress.go_on_after(10 * (m_begin[e + 1] - m_begin[e])))
         locate(input, length, e);
   }
 
@@ -204,8 +206,9 @@ public:
 
   /// \param coordinates of the middle edges on the final triangulation
   /// \param log_length Penner's coordinates on the final triangulation
+  /// \param progress if it is interrupted, the crossings may not be used
   Final_crossings(const Triangulation_connectivity& middle, const Triangulation_connectivity& last,
-                  const Normal_coordinates& coordinates, const std::vector<FT>& log_length)
+                  const Normal_coordinates& coordinates, const std::vector<FT>& log_length, Progress& progress)
     : m_begin(middle.number_of_edges() + 1, 0),
       m_begin_on_final(last.number_of_edges() + 1, 0),
       m_final_of_middle(middle.number_of_halfedges(), Triangulation_connectivity::null),
@@ -236,7 +239,7 @@ public:
         last,
         [&](const int v, const int k, const Normal_coordinates::Curve& curve) {
           const int h = middle_halfedge(v, k);
-          if (!(h & 1))
+          if (!(h & 1) && progress.go_on_after(20 * curve.crossings.size()))
             locate(last, log_length, h >> 1, curve);
         },
         [](int, int, int) {});

@@ -13,6 +13,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Seamless_layout.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
 #include <CGAL/T_splines/Similarity_map/internal/uv_orientation.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/exactness.h>
 
@@ -54,19 +55,44 @@ public:
   static constexpr int none = -1;
 
   /// \param tolerance of the transitions, relative
-  Exact_map_computation(Triangulation_connectivity mesh, Uv_array uv, const double tolerance)
+  /// \param progress it must outlive this
+  Exact_map_computation(Triangulation_connectivity mesh, Uv_array uv, const double tolerance, Progress& progress)
     : m_mesh(std::move(mesh)),
       m_uv(std::move(uv)),
-      m_tolerance(tolerance)
+      m_tolerance(tolerance),
+      m_progress(progress)
   {
   }
 
   /// Runs all steps. \return whether the layout is complete
   bool run()
   {
-    if (!check_coordinates() || !check_triangles())
+    const bool is_complete = run_steps();
+    if (m_progress.is_interrupted()) {
+      m_figures = Exact_map_figures();
+      m_figures.status = Exact_map_status::INTERRUPTED;
+    }
+    return is_complete && !m_progress.is_interrupted();
+  }
+
+  const Exact_map_figures& figures() const { return m_figures; }
+  Seamless_layout<FT>& layout() { return m_layout; }
+
+private:
+  // Reports the share of the work that is done. \return whether to go on
+  bool is_at(const double fraction)
+  {
+    m_progress.progress(fraction);
+    return m_progress.go_on();
+  }
+
+  bool run_steps()
+  {
+    if (!is_at(0) || !check_coordinates() || !check_triangles() || !is_at(0.1))
       return false;
     const Uv_seams seams(m_mesh, m_uv, m_tolerance);
+    if (!is_at(0.3))
+      return false;
     const Cut_sectors sectors(m_mesh, seams.cut_edges());
     const Border_lines border(m_mesh, m_uv, sectors);
     std::vector<int> quarter_turns; // per cut vertex
@@ -81,20 +107,22 @@ public:
     const std::vector<Cut_node_kind> kinds = kinds_of_nodes(map, uncertainty);
     if (!check_scale_products(map, kinds))
       return false;
+    if (!is_at(0.4))
+      return false;
     m_layout = Seamless_layout<FT>(m_mesh, m_uv);
     std::vector<int> counted = counted_quarter_turns();
+    if (!is_at(0.5))
+      return false;
     Exact_corners corners(map, cones_off_cut(map, counted));
-    Exact_transitions<double> trial(map, corners.points(), kinds, uncertainty);
-    Exact_transitions<FT> transitions(map, corners.points(), kinds, uncertainty);
+    if (!is_at(0.6))
+      return false;
+    Exact_transitions<double> trial(map, corners.points(), kinds, uncertainty, m_progress);
+    Exact_transitions<FT> transitions(map, corners.points(), kinds, uncertainty, m_progress);
     m_figures.is_isometric = trial.is_isometric();
-    return check_closing(map, trial) && make_exact(map, corners, trial, transitions) &&
-           check_quarter_turns(map, corners, counted);
+    return check_closing(map, trial) && is_at(0.7) && make_exact(map, corners, trial, transitions) && is_at(0.9) &&
+           check_quarter_turns(map, corners, counted) && is_at(1);
   }
 
-  const Exact_map_figures& figures() const { return m_figures; }
-  Seamless_layout<FT>& layout() { return m_layout; }
-
-private:
   bool fail(const Exact_map_status status, const int vertex, const int halfedge, const double deviation)
   {
     m_figures.status = status;
@@ -126,6 +154,8 @@ private:
   {
     bool is_flipped = false;
     for (int f = 0; f < m_mesh.number_of_faces(); ++f) {
+      if (!m_progress.go_on_after(1))
+        return false;
       const CGAL::Orientation sign = orientation(m_mesh.halfedge_of_face(f));
       if (sign == CGAL::POSITIVE)
         continue;
@@ -317,7 +347,7 @@ private:
 
   // Isolines that connect cones but for round-off. \param transitions of the map itself
   std::vector<Isoline_coincidence> find_lines(const Cut_map& map, const Free_points& points,
-                                              const Exact_transitions<double>& transitions) const
+                                              const Exact_transitions<double>& transitions)
   {
     std::vector<Similarity_2<double>> along, against;
     for (int b = 0; b < map.graph.number_of_branches(); ++b) {
@@ -345,7 +375,7 @@ private:
         add(map.sectors.halfedge[map.sectors.first_sector[i]], map.quarter_turns[i], map.sectors.is_on_border[i] != 0);
     }
     const int longest = 64 + m_mesh.number_of_faces() / std::max(2 * number_of_rays, 1);
-    return Search(m_mesh, m_uv, map.is_cut, transition, cones, m_figures.deviation).run(longest);
+    return Search(m_mesh, m_uv, map.is_cut, transition, cones, m_figures.deviation).run(longest, m_progress);
   }
 
   // The number of bits by which coordinates on the cut, in multiples of a power of two, are far below the heights of
@@ -365,6 +395,8 @@ private:
     std::vector<Isoline_coincidence> chosen;
     // If triangles are in the way, only round-off is removed, or nothing.
     for (const double largest_gap : {1., 1e-9, -1.}) {
+      if (!m_progress.go_on())
+        return false;
       chosen = sides;
       for (const Isoline_coincidence& line : found)
         if (line.gap <= largest_gap)
@@ -413,6 +445,8 @@ private:
     const bool is_any_accepted = has_to_do || m_figures.is_isometric; // with all bits
     m_figures.status = Exact_map_status::EXACT;
     for (int bits = m_figures.is_isometric ? bits_of_grid(map, corners) : first;; bits = std::min(bits + step, last)) {
+      if (!m_progress.go_on())
+        return false;
       const bool is_last = bits == last;
       m_figures.scale_bits = m_figures.is_isometric ? 0 : bits;
       if (!(is_last && is_any_accepted)) {
@@ -424,9 +458,14 @@ private:
         }
       }
       transitions.compute(bits);
+      if (!m_progress.go_on())
+        return false;
       const int open_loop = corners.write(transitions, m_layout);
+      if (open_loop != -1 && !is_last)
+        continue; // with so few bits, scale factors multiply to 1 that do not: the border has no line of its own
+      CGAL_assertion(open_loop == -1); // those that differ from 1 by round-off are 1, and equations close their loops
       if (open_loop != -1)
-        return fail(Exact_map_status::BORDER_NOT_CLOSED, map.sectors.vertices[map.border.loops()[open_loop].front()],
+        return fail(Exact_map_status::ORIENTATION_LOST, map.sectors.vertices[map.border.loops()[open_loop].front()],
                     none, 0);
       m_figures.faces = corners.lost_faces(m_layout);
       if (m_figures.faces.empty() && ((is_last && is_any_accepted) || corners.is_harmless(m_layout.coordinates())))
@@ -460,6 +499,7 @@ private:
   Uv_array m_uv;
   double m_tolerance;
   double m_size = 0; // the largest coordinate
+  Progress& m_progress;
   Exact_map_figures m_figures;
   Seamless_layout<FT> m_layout;
 };

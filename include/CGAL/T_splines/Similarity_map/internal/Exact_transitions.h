@@ -14,6 +14,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Isoline_equation.h>
 #include <CGAL/T_splines/Similarity_map/internal/Isoline_search.h>
 #include <CGAL/T_splines/Similarity_map/internal/Plane_vector.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/exactness.h>
 
 #include <CGAL/number_type_basic.h>
@@ -54,13 +55,15 @@ public:
 
   /// \param kind per node
   /// \param uncertainty per branch, of the logarithm of its scale factor
+  /// \param progress it must outlive this; if it is interrupted, equations are missing
   Exact_transitions(const Cut_map& map, const Free_points& points, const std::vector<Cut_node_kind>& kind,
-                    const std::vector<double>& uncertainty)
+                    const std::vector<double>& uncertainty, Progress& progress)
     : m_map(map),
       m_graph(map.graph),
       m_fits(map.fits),
       m_points(points),
       m_kind(kind),
+      m_progress(progress),
       m_scale_forest(m_graph, nodes_of_kind(kind, {Cut_node_kind::BORDER}), uncertainty),
       m_translation_forest(m_graph, nodes_of_kind(kind, {Cut_node_kind::BORDER, Cut_node_kind::ROTATION}), uncertainty),
       m_free_scale(m_graph.number_of_branches(), 1.),
@@ -121,6 +124,7 @@ public:
     Linear_function<FT> sum(m_graph.number_of_branches() + m_points.size());
     const Isoline_equation<FT> equation(m_map, m_points, m_scale, m_inverse_scale);
     for (const Isoline_coincidence& line : lines) {
+      m_progress.go_on_after(1 + line.crossed.size());
       equation.add_to(line, sum);
       result.push_back(m_equations.reduced(row(sum)).empty());
     }
@@ -403,6 +407,8 @@ private:
     for (int root = 0; root < m_graph.number_of_nodes(); ++root) {
       if (m_translation_forest.root(root) != root)
         continue;
+      if (!m_progress.go_on_after(100))
+        return;
       for (const Number& part : {Number{FT(1), FT(0)}, Number{FT(0), FT(-1)}}) {
         if (asked(root, part).is_zero())
           continue;
@@ -415,6 +421,8 @@ private:
       return;
     const Isoline_equation<FT> equation(m_map, m_points, m_scale, m_inverse_scale);
     for (std::size_t i = 0; i < m_lines->size(); ++i) {
+      if (!m_progress.go_on_after(1000))
+        return;
       equation.add_to((*m_lines)[i], sum);
       add(i, row(sum));
     }
@@ -463,6 +471,7 @@ private:
   const std::vector<Branch_fit>& m_fits;
   const Free_points& m_points;
   const std::vector<Cut_node_kind>& m_kind;
+  Progress& m_progress;
   Cut_forest m_scale_forest, m_translation_forest;
   std::vector<double> m_free_scale; // per branch: 1, or the factor greater than 1, negative if the inverse is meant
   std::vector<FT> m_scale, m_inverse_scale;             // per branch

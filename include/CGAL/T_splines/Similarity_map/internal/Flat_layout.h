@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Similarity_map/internal/Plane_vector.h>
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <array>
@@ -34,16 +35,19 @@ public:
 
   /// \param coefficients phi per vertex, then c per loop
   /// \param quarter_turns per vertex
+  /// \param progress if it is interrupted, the layout may not be used
   template <typename StructureFT>
   Flat_layout(const Similarity_structure<StructureFT>& structure, const std::vector<StructureFT>& coefficients,
-              const std::vector<int>& quarter_turns)
+              const std::vector<int>& quarter_turns, Progress& progress)
     : m_mesh(structure.mesh),
       m_position(structure.mesh.number_of_halfedges()),
       m_entry(structure.mesh.number_of_faces(), null),
       m_order(structure.mesh.number_of_faces(), -1),
       m_is_cut(structure.mesh.number_of_edges(), 1)
   {
-    lay_out(structure, coefficients);
+    lay_out(structure, coefficients, progress);
+    if (!progress.go_on())
+      return;
     sew_up(quarter_turns);
     join_corners();
   }
@@ -93,7 +97,8 @@ private:
   static FT absolute(const FT& x) { return x < 0 ? FT(-x) : x; }
 
   template <typename StructureFT>
-  void lay_out(const Similarity_structure<StructureFT>& structure, const std::vector<StructureFT>& coefficients)
+  void lay_out(const Similarity_structure<StructureFT>& structure, const std::vector<StructureFT>& coefficients,
+               Progress& progress)
   {
     std::vector<Index> faces;
     int order = 0;
@@ -104,6 +109,8 @@ private:
       m_order[root] = order++;
       faces.assign(1, root);
       for (std::size_t i = 0; i < faces.size(); ++i) {
+        if (!progress.go_on_after(8 * work_of_function<FT>))
+          return;
         Index h = m_mesh.halfedge_of_face(faces[i]);
         for (int k = 0; k < 3; ++k, h = m_mesh.next(h)) {
           const Index g = Triangulation_connectivity::opposite(h), f = m_mesh.face(g);

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Similarity_map/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <algorithm>
@@ -74,13 +75,16 @@ public:
   }
 
   /// \param longest the number of triangles after which an isoline is given up
-  std::vector<Isoline_coincidence> run(const int longest)
+  /// \param progress if it is interrupted, some lines are not found
+  std::vector<Isoline_coincidence> run(const int longest, Progress& progress)
   {
     std::vector<Isoline_coincidence> result;
     for (std::size_t i = 0; i < m_cones.size(); ++i) {
       const Unrolled_cone cone(*this, m_cones[i]);
       for (int j = m_cones[i].is_on_border ? 1 : 0; j < m_cones[i].quarter_turns; ++j) {
         Isoline_coincidence found;
+        if (!progress.go_on_after(1 + static_cast<std::size_t>(longest)))
+          return result;
         if (m_is_done[i][j] == 0 && follow(cone.start(*this, j), longest, found))
           result.push_back(std::move(found));
       }

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Cross_field/internal/homology_loops.h>
 #include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <algorithm>
 #include <array>
@@ -71,8 +72,9 @@ struct Loop_reach {
 
 /// scans short closed strips of the current triangulation and returns the one with the largest ratio of period to
 /// length: how close the structure has come to the limit of what its mesh can carry. A scan, not a proof.
+/// \param progress if it is interrupted, fewer are scanned
 template <typename FT>
-Loop_reach<FT> largest_loop_reach(const Similarity_structure<FT>& structure)
+Loop_reach<FT> largest_loop_reach(const Similarity_structure<FT>& structure, Progress& progress)
 {
   const Triangulation_connectivity& mesh = structure.mesh;
   Loop_reach<FT> result(structure, {});
@@ -89,7 +91,7 @@ Loop_reach<FT> largest_loop_reach(const Similarity_structure<FT>& structure)
     scale[e] = 1 + std::abs(static_cast<double>(structure.form[e]));
   const Mesh_components components = mesh_components(mesh);
   for (const std::vector<double>* weight : {&unit, &scale})
-    for (const std::vector<int>& strip : homology_loops(mesh, *weight, components, 16))
+    for (const std::vector<int>& strip : homology_loops(mesh, *weight, components, progress, 16))
       consider(strip);
   return result;
 }

@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Newton_system.h>
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <array>
 #include <cmath>
@@ -134,14 +135,16 @@ struct Metric_computation {
     structure.set_form(coefficients);
   }
 
-  /// The triangulation from which the iteration starts. \return `false` if the flips do not end.
+  /// The triangulation from which the iteration starts. \return `false` if the flips do not end, or `progress` is
+  /// interrupted.
   template <typename FlipPolicy>
-  bool prepare(const FlipPolicy& policy)
+  bool prepare(const FlipPolicy& policy, Progress& progress)
   {
     const bool tracks_edges = !structure.delaunay_edges.is_empty();
     if (makes_delaunay(policy)) {
       const std::size_t most_flips = 1000 + 100 * static_cast<std::size_t>(structure.mesh.number_of_edges());
-      delaunay_flips = flip_to_delaunay(structure, most_flips, [this](const Index h) { structure.flip_euclidean(h); });
+      delaunay_flips = flip_all_to_delaunay(
+          structure, most_flips, [this](const Index h) { structure.flip_euclidean(h); }, progress);
       if (delaunay_flips > most_flips)
         return false;
     }
@@ -153,17 +156,17 @@ struct Metric_computation {
     }
     if (!flips_by_ptolemy(policy))
       structure.log_penner = structure.log_length;
-    return true;
+    return progress.go_on();
   }
 
   /// runs Newton's iteration. The record goes on where an earlier one in another number type ended.
-  template <typename FlipPolicy, typename SolverTraits, typename Visitor>
-  void iterate(Newton_system<FT>& system, const FlipPolicy& policy, SolverTraits& solver, const Visitor& visitor,
+  template <typename FlipPolicy, typename SolverTraits>
+  void iterate(Newton_system<FT>& system, const FlipPolicy& policy, SolverTraits& solver, Progress& progress,
                Newton_limits limits)
   {
     limits.number_of_iterations -= record.iterations;
-    Newton_iteration<FT, SolverTraits, Visitor> newton(structure, system, coefficients, solver,
-                                                       record.factorizations_in_use > 0, visitor, limits);
+    Newton_iteration<FT, SolverTraits> newton(structure, system, coefficients, solver, record.factorizations_in_use > 0,
+                                              progress, limits);
     const Newton_record next = newton.run(policy);
     record.status = next.status;
     if (!record.residual_history.empty())

@@ -9,7 +9,10 @@
 #include <CGAL/T_splines/Similarity_map/internal/Newton_system.h>
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
 #include <CGAL/T_splines/Similarity_map/internal/first_degeneracy.h>
+#include <CGAL/T_splines/Solver/internal/Interruptible_preconditioner.h>
 #include <CGAL/T_splines/Solver/preconditioned_conjugate_gradients.h>
+#include <CGAL/T_splines/defaults.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +29,8 @@ inline constexpr double near_residual = 1e-2;
 
 /// What bounds a Newton iteration.
 struct Newton_limits {
-  double tolerance = 1e-12; ///< on the largest residual
-  int number_of_iterations = 100;
+  double tolerance = default_residual_tolerance; ///< on the largest residual
+  int number_of_iterations = default_number_of_newton_steps;
 };
 
 /// What a Newton iteration did.
@@ -46,7 +49,7 @@ struct Newton_record {
 /// stays a good approximation; it is renewed when conjugate gradients need many iterations.
 /// \tparam FT number type of the residual and the unknowns
 /// \tparam SolverTraits a model of `SparseSpdSolverTraits` with `FT` double
-template <typename FT, typename SolverTraits, typename Visitor>
+template <typename FT, typename SolverTraits>
 class Newton_iteration {
   using Index = Triangulation_connectivity::Index;
   using Structure = Similarity_structure<FT>;
@@ -55,13 +58,13 @@ public:
   /// \param coefficients phi per vertex and c per loop, in and out: those of `structure`
   /// \param is_factorized whether `solver` holds a factorization of an earlier system
   Newton_iteration(Structure& structure, Newton_system<FT>& system, std::vector<FT>& coefficients, SolverTraits& solver,
-                   const bool is_factorized, const Visitor& visitor, const Newton_limits& limits)
+                   const bool is_factorized, Progress& progress, const Newton_limits& limits)
     : m_structure(structure),
       m_system(system),
       m_coefficients(coefficients),
       m_solver(solver),
       m_is_factorized(is_factorized),
-      m_visitor(visitor),
+      m_progress(progress),
       m_limits(limits)
   {
   }
@@ -70,6 +73,8 @@ public:
   Newton_record run(const FlipPolicy& policy)
   {
     m_record.status = iterate(policy);
+    if (m_progress.is_interrupted())
+      m_record.status = Similarity_map_status::INTERRUPTED;
     return m_record;
   }
 
@@ -77,23 +82,25 @@ private:
   template <typename FlipPolicy>
   Similarity_map_status iterate(const FlipPolicy& policy)
   {
-    if (!m_system.evaluate(m_structure))
+    if (!m_system.evaluate(m_structure, m_progress))
       return Similarity_map_status::STALLED;
     Stall_detector stall;
     while (true) {
       const double residual = static_cast<double>(m_system.residual());
       m_record.residual_history.push_back(residual);
-      m_visitor.progress(progress());
+      m_progress.progress(share_of_way());
       if (residual <= m_limits.tolerance)
         return Similarity_map_status::CONVERGED;
       if (stall.is_stalled(residual))
         return Similarity_map_status::STALLED;
       if (m_record.iterations >= m_limits.number_of_iterations)
         return Similarity_map_status::ITERATION_LIMIT;
-      if (!m_visitor.go_on())
+      if (!m_progress.go_on())
         return Similarity_map_status::INTERRUPTED;
       if (!solve())
         return Similarity_map_status::SOLVER_FAILED;
+      if (!m_progress.go_on())
+        return Similarity_map_status::INTERRUPTED;
       const Similarity_map_status end = step(policy);
       if (end != Similarity_map_status::CONVERGED)
         return end;
@@ -121,7 +128,8 @@ private:
     int m_unsuccessful = 0;
   };
 
-  double progress() const
+  // From the first residual to the tolerance, in orders of magnitude.
+  double share_of_way() const
   {
     const std::vector<double>& history = m_record.residual_history;
     const double first = std::log(history.front()), goal = std::log(m_limits.tolerance);
@@ -143,8 +151,9 @@ private:
     // Forcing term: a relative error as small as the residual keeps the convergence quadratic; more than the goal asks
     // for is wasted.
     const double tolerance = std::max(1e-10, std::min(0.1, std::max(0.3 * norm, 0.1 * m_limits.tolerance / norm)));
-    m_last_inner_iterations = preconditioned_conjugate_gradients(m_system, m_solver, right_hand_side, m_solution,
-                                                                 tolerance, 500, m_workspace);
+    m_last_inner_iterations =
+        preconditioned_conjugate_gradients(m_system, Interruptible_preconditioner<SolverTraits>(m_solver, m_progress),
+                                           right_hand_side, m_solution, tolerance, 500, m_workspace);
     m_record.linear_iterations += m_last_inner_iterations;
     m_direction = m_system.direction(m_solution);
     return true;
@@ -156,7 +165,7 @@ private:
     ++m_record.factorizations;
     ++m_record.factorizations_in_use;
     m_is_factorized = true;
-    return m_solver.analyze_pattern(matrix) && m_solver.factorize(matrix);
+    return m_progress.go_on() && m_solver.analyze_pattern(matrix) && m_progress.go_on() && m_solver.factorize(matrix);
   }
 
   double slope() const
@@ -200,11 +209,11 @@ private:
         }
       }
       m_structure = accepted;
-      if (!m_visitor.go_on())
+      if (!m_progress.go_on())
         return Similarity_map_status::INTERRUPTED;
     }
     m_coefficients = m_accepted_coefficients;
-    m_system.evaluate(m_structure);
+    m_system.evaluate(m_structure, m_progress);
     return Similarity_map_status::STALLED;
   }
 
@@ -214,14 +223,15 @@ private:
   {
     // A trial beyond the limit of what the mesh can carry winds the loops up without end.
     const std::size_t most_passages = 1000 + 10 * m_structure.loops.number_of_passages();
-    m_system.measure(m_structure);
     m_flipped.clear();
+    if (!m_system.measure(m_structure, m_progress))
+      return most_flips + 1;
     const std::size_t flips = flip_to_delaunay(
         m_structure, most_flips, [this](const Index e) { return m_system.is_clearly_delaunay(m_structure, e); },
         [this, most_passages](const Index h) {
           m_structure.flip_ptolemy(h);
           m_flipped.push_back(h);
-          return m_structure.loops.number_of_passages() <= most_passages;
+          return m_structure.loops.number_of_passages() <= most_passages && m_progress.go_on_after(10);
         });
     if (flips <= most_flips)
       for (const Index h : m_flipped) {
@@ -251,14 +261,14 @@ private:
       }
     if (policy.delaunay) {
       const std::size_t most_flips = 1000 + 20 * static_cast<std::size_t>(m_structure.mesh.number_of_edges());
-      const std::size_t flips =
-          flip_to_delaunay(m_structure, most_flips, [&](const Index h) { m_structure.flip_euclidean(h); });
+      const std::size_t flips = flip_all_to_delaunay(
+          m_structure, most_flips, [&](const Index h) { m_structure.flip_euclidean(h); }, m_progress);
       m_record.flips += flips;
       if (flips > most_flips)
         return Similarity_map_status::STALLED;
     }
     m_blocked_steps = degeneracy.time < 1e-12 ? m_blocked_steps + 1 : 0;
-    m_system.evaluate(m_structure);
+    m_system.evaluate(m_structure, m_progress);
     return m_blocked_steps > 20 ? Similarity_map_status::STALLED : Similarity_map_status::CONVERGED;
   }
 
@@ -277,7 +287,7 @@ private:
   std::vector<FT>& m_coefficients;
   SolverTraits& m_solver;
   bool m_is_factorized;
-  const Visitor& m_visitor;
+  Progress& m_progress;
   Newton_limits m_limits;
   Newton_record m_record;
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <algorithm>
 #include <array>
@@ -54,24 +55,31 @@ public:
     m_number_of_components = has_pin.size();
     for (std::size_t i = m_component.size(); i < m_row.size(); ++i)
       m_row[i] = m_number_of_rows++;
+    m_gradient = m_target;
   }
 
-  /// evaluates angles and gradient. \return `false` if some triangle violates the triangle inequality.
-  bool evaluate(const Structure& structure)
+  /// evaluates angles and gradient. \return `false` if some triangle violates the triangle inequality, or `progress` is
+  /// interrupted.
+  bool evaluate(const Structure& structure, Progress& progress)
   {
-    measure(structure);
+    if (!measure(structure, progress))
+      return false;
     evaluate_gradient(structure);
     return has_triangles_only();
   }
 
-  /// evaluates the angles of all triangles.
-  void measure(const Structure& structure)
+  /// evaluates the angles of all triangles. \return `false` if `progress` is interrupted.
+  bool measure(const Structure& structure, Progress& progress)
   {
     m_angle.resize(structure.mesh.number_of_halfedges());
     m_cotangent.resize(structure.mesh.number_of_halfedges());
     m_is_triangle.resize(structure.mesh.number_of_faces());
-    for (Index f = 0; f < structure.mesh.number_of_faces(); ++f)
+    for (Index f = 0; f < structure.mesh.number_of_faces(); ++f) {
+      if (!progress.go_on_after(work_per_triangle))
+        return false;
       measure(structure, f);
+    }
+    return true;
   }
 
   /// evaluates the angles of the triangle `f` anew.
@@ -243,6 +251,7 @@ public:
   }
 
 private:
+  static constexpr std::size_t work_per_triangle = 10 * work_of_function<FT>;
   static constexpr int pinned = -1;
   static constexpr double least_weight = 1e-14;
 

@@ -13,6 +13,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Refined_triangulation.h>
 #include <CGAL/T_splines/Similarity_map/internal/Sliver_removal.h>
 #include <CGAL/T_splines/Similarity_map/internal/converged_metric.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <cmath>
 #include <cstdint>
@@ -33,15 +34,17 @@ class Similarity_map_computation {
 public:
   static constexpr int none = -1;
 
-  template <typename Visitor>
-  Similarity_map_computation(const Metric_input& input, const Metric& metric, const Visitor& visitor)
-    : m_layout(metric.structure, metric.coefficients, input.quarter_turns),
-      m_transitions(metric.structure.mesh, metric.structure.loops, m_layout, input.quarter_turns,
-                    loop_coefficients(metric))
+  /// \param progress in the stage "layout"; if it is interrupted, nothing of this may be used
+  Similarity_map_computation(const Metric_input& input, const Metric& metric, Progress& progress)
+    : m_layout(metric.structure, metric.coefficients, input.quarter_turns, progress)
   {
     using std::sqrt;
     const Triangulation_connectivity& last = metric.structure.mesh;
-    visitor.progress(0.3);
+    progress.progress(0.3);
+    if (!progress.go_on())
+      return;
+    m_transitions.emplace(last, metric.structure.loops, m_layout, input.quarter_turns, loop_coefficients(metric));
+    progress.progress(0.5);
     const std::int64_t most_nodes = largest_subdivision(input.mesh.number_of_vertices());
     m_is_too_large = input.mesh.number_of_vertices() + metric.input_on_middle.sum_of_crossings() +
                          metric.structure.delaunay_edges.sum_of_crossings() >
@@ -51,13 +54,22 @@ public:
     std::vector<FT> length;
     for (int e = 0; e < input.mesh.number_of_edges(); ++e)
       length.push_back(sqrt(input.template squared_length<FT>(e)));
-    const Input_crossings<FT> on_input(input.mesh, metric.middle, metric.input_on_middle, length);
+    if (!progress.go_on())
+      return;
+    const Input_crossings<FT> on_input(input.mesh, metric.middle, metric.input_on_middle, length, progress);
+    progress.progress(0.7);
+    if (!progress.go_on())
+      return;
     const Final_crossings<FT> on_final(metric.middle, last, metric.structure.delaunay_edges,
-                                       convert(metric.log_penner()));
-    visitor.begin_stage("subdivision");
+                                       convert(metric.log_penner()), progress);
+    if (!progress.go_on())
+      return;
+    progress.begin_stage("subdivision");
     const auto& form = convert(metric.structure.form);
     Common_subdivision<FT> subdivision(input.mesh, input.point, metric.middle, last, on_input, on_final, form, m_layout,
-                                       most_nodes);
+                                       most_nodes, progress);
+    if (!progress.go_on())
+      return;
     m_is_too_large = !subdivision.is_complete();
     if (m_is_too_large)
       return;
@@ -65,9 +77,9 @@ public:
     m_cut.resize(m_refined.mesh.number_of_edges());
     for (int e = 0; e < m_refined.mesh.number_of_edges(); ++e)
       m_cut[e] = m_refined.final_halfedge[2 * e] != none && m_layout.is_cut(m_refined.final_halfedge[2 * e] >> 1);
-    visitor.progress(0.8);
-    m_first_bad_input_face = Sliver_removal(input.mesh, input.point, m_refined, m_cut).first_bad_input_face();
-    visitor.progress(1.);
+    progress.progress(0.8);
+    m_first_bad_input_face = Sliver_removal(input.mesh, input.point, m_refined, m_cut, progress).first_bad_input_face();
+    progress.progress(1.);
   }
 
   /// The most vertices that the refinement of a mesh with `number_of_vertices` may have. Flips of benign meshes add a few
@@ -94,7 +106,7 @@ public:
   {
     if (!m_cut[h >> 1])
       return Similarity_2<double>();
-    const Similarity_2<FT> wide = m_transitions.transition(m_refined.final_halfedge[h]);
+    const Similarity_2<FT> wide = m_transitions->transition(m_refined.final_halfedge[h]);
     return Similarity_2<double>(wide.quarter_turns(), static_cast<double>(wide.scale()), static_cast<double>(wide.u()),
                                 static_cast<double>(wide.v()));
   }
@@ -119,7 +131,7 @@ private:
   }
 
   Flat_layout<FT> m_layout;
-  Cut_transitions<FT> m_transitions;
+  std::optional<Cut_transitions<FT>> m_transitions; // none if the work was interrupted
   Refined_triangulation m_refined;
   std::vector<char> m_cut;
   bool m_is_too_large = false;

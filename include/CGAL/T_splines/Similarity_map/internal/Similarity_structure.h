@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Dual_loops.h>
 #include <CGAL/T_splines/Similarity_map/internal/Normal_coordinates.h>
 #include <CGAL/T_splines/Similarity_map/internal/Triangle_angles.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <array>
@@ -14,11 +15,16 @@
 #include <cstddef>
 #include <limits>
 #include <utility>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace T_splines {
 namespace internal {
+
+/// How long an elementary function takes, about, in the units of `Progress::go_on_after()`.
+template <typename FT>
+inline constexpr std::size_t work_of_function = std::is_floating_point<FT>::value ? 1 : 40;
 
 /// A piecewise flat metric up to similarity on an intrinsic triangulation: log-lengths and a closed 1-form that scales
 /// them.
@@ -182,12 +188,14 @@ std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::siz
   return flips;
 }
 
+/// does the same, all edges being tested; it gives up if `progress` is interrupted.
 template <typename FT, typename Flip>
-std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::size_t maximum, Flip&& flip)
+std::size_t flip_all_to_delaunay(Similarity_structure<FT>& structure, const std::size_t maximum, Flip&& flip,
+                                 Progress& progress)
 {
   const auto flip_and_go_on = [&](const int h) {
     flip(h);
-    return true;
+    return progress.go_on_after(10);
   };
   return flip_to_delaunay(
       structure, maximum, [](int) { return false; }, flip_and_go_on);

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_SLIVER_REMOVAL_H
 
 #include <CGAL/T_splines/Similarity_map/internal/Refined_triangulation.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -36,8 +37,9 @@ class Sliver_removal {
 public:
   /// \param input_mesh, input_point the input triangulation
   /// \param is_cut per edge of `refined`
+  /// \param progress if it is interrupted, the triangulation may not be used
   Sliver_removal(const Triangulation_connectivity& input_mesh, const std::vector<std::array<double, 3>>& input_point,
-                 Refined_triangulation& refined, std::vector<char>& is_cut)
+                 Refined_triangulation& refined, std::vector<char>& is_cut, Progress& progress)
     : m_input(input_mesh),
       m_input_point(input_point),
       m_refined(refined),
@@ -46,7 +48,7 @@ public:
   {
     choose_projections();
     std::vector<Index> bad;
-    for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
+    for (Index f = 0; f < m_mesh.number_of_faces() && progress.go_on_after(4); ++f)
       if (!is_good(f))
         bad.push_back(f);
     if (bad.empty())
@@ -56,10 +58,10 @@ public:
     const auto first_negative = [&] {
       return std::find_if(bad.begin(), bad.end(), [this](const Index f) { return !is_positive(f); });
     };
-    while (!bad.empty()) {
+    while (!bad.empty() && progress.go_on()) {
       const std::size_t before = bad.size();
       for (const Index f : bad)
-        if (!m_is_removed[f] && !is_good(f))
+        if (!m_is_removed[f] && !is_good(f) && progress.go_on_after(50))
           repair(f);
       bad.erase(std::remove_if(bad.begin(), bad.end(), [this](const Index f) { return m_is_removed[f] || is_good(f); }),
                 bad.end());

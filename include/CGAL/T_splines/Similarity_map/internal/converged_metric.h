@@ -5,11 +5,11 @@
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_CONVERGED_METRIC_H
 
 #include <CGAL/T_splines/Cross_field/check_holonomy_signature.h>
-#include <CGAL/T_splines/Progress_visitor.h>
 #include <CGAL/T_splines/Similarity_map/Similarity_map_report.h>
 #include <CGAL/T_splines/Similarity_map/internal/Loop_reach.h>
 #include <CGAL/T_splines/Similarity_map/internal/Metric_computation.h>
 #include <CGAL/T_splines/Solver/default_solver.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -45,26 +45,13 @@ struct Wider_number_type<long double> {
   using type = boost::multiprecision::cpp_bin_float_quad;
 };
 
-/// Forwards to a visitor, with a fraction that does not fall back when an iteration starts anew in a wider number type.
-template <typename Visitor>
-struct Monotone_progress {
-  const Visitor& visitor;
-  double& largest;
-
-  void progress(const double fraction) const
-  {
-    largest = std::max(largest, fraction);
-    visitor.progress(largest);
-  }
-  bool go_on() const { return visitor.go_on(); }
-};
-
 /// tells in `report` how close the scale periods of short loops have come to their limit.
 template <typename FT, typename TriangleMesh>
-void look_for_limit(const Metric_computation<FT>& computation, Similarity_map_report<TriangleMesh>& report)
+void look_for_limit(const Metric_computation<FT>& computation, Progress& progress,
+                    Similarity_map_report<TriangleMesh>& report)
 {
   constexpr double close = 0.9;
-  const Loop_reach<FT> reach = largest_loop_reach(computation.structure);
+  const Loop_reach<FT> reach = largest_loop_reach(computation.structure, progress);
   report.scale_period = reach.period;
   report.hyperbolic_length = reach.length;
   if (reach.ratio() > close)
@@ -77,7 +64,7 @@ template <typename TriangleMesh, typename FlipPolicy, typename SolverTraits>
 Metric_computation<Layout_number_type<double>>
 sharpened(const Metric_computation<double>& computation, const Metric_input& input,
           const Mesh_indexing<TriangleMesh>& indexing, const FlipPolicy& policy, SolverTraits& solver,
-          Similarity_map_report<TriangleMesh>& report)
+          Progress& progress, Similarity_map_report<TriangleMesh>& report)
 {
   using FT = Layout_number_type<double>;
   Metric_computation<FT> sharp(computation);
@@ -86,7 +73,7 @@ sharpened(const Metric_computation<double>& computation, const Metric_input& inp
   limits.tolerance = 1e-17;
   limits.number_of_iterations = computation.record.iterations + 1;
   Similarity_map_report<TriangleMesh> sharp_report = report;
-  sharp.iterate(system, policy, solver, Progress_visitor(), limits);
+  sharp.iterate(system, policy, solver, progress, limits);
   fill_report(sharp, system, indexing, sharp_report);
   if (!(sharp_report.residual <= report.residual))
     return Metric_computation<FT>(computation);
@@ -102,7 +89,7 @@ sharpened(const Metric_computation<double>& computation, const Metric_input& inp
 /// Where the residual comes to a floor near the solution, the iteration goes on from there. Where it stalls far from it,
 /// or flips do not end, or the map of a converged metric cannot be laid out, lengths and flips may have lost more than
 /// the residual tells: the wider type starts from the input.
-template <typename TriangleMesh, typename FlipPolicy, typename SolverTraits, typename Visitor, typename Consume>
+template <typename TriangleMesh, typename FlipPolicy, typename SolverTraits, typename Consume>
 class Widening_computation {
 public:
   using Report = Similarity_map_report<TriangleMesh>;
@@ -111,7 +98,7 @@ public:
   const Mesh_indexing<TriangleMesh>& indexing;
   const FlipPolicy& policy;
   SolverTraits& solver;
-  const Visitor& visitor;
+  Progress& progress;
   const Newton_limits& limits;
   bool tracks_edges;
   const Consume& consume; ///< called with a converged computation; tells whether it could use it
@@ -122,10 +109,12 @@ public:
   {
     Metric_computation<FT> computation(input, tracks_edges);
     computation.record = before;
-    if (computation.prepare(policy)) {
+    if (computation.prepare(policy, progress)) {
       iterate(computation, report);
       return;
     }
+    if (progress.is_interrupted())
+      return;
     report.status = Similarity_map_status::STALLED;
     report.residual = std::numeric_limits<double>::infinity();
     report.mantissa_bits = std::numeric_limits<FT>::digits;
@@ -137,17 +126,17 @@ private:
   void iterate(Metric_computation<FT>& computation, Report& report) const
   {
     Newton_system<FT> system(input.component_of_vertex, input.quarter_turns);
-    computation.iterate(system, policy, solver, visitor, limits);
+    computation.iterate(system, policy, solver, progress, limits);
     fill_report(computation, system, indexing, report);
     if (report.success()) {
       const Newton_record record = computation.record;
-      if (!is_consumed(computation, report) && flips_by_ptolemy(policy))
+      if (!is_consumed(computation, report) && !progress.is_interrupted() && flips_by_ptolemy(policy))
         start_in_wider_type<FT>(record, report);
       return;
     }
     const bool is_near = report.residual < near_residual;
     if (!is_near && flips_by_ptolemy(policy) && report.status != Similarity_map_status::INTERRUPTED)
-      look_for_limit(computation, report);
+      look_for_limit(computation, progress, report);
     if (report.status != Similarity_map_status::STALLED)
       return;
     if (!is_near && flips_by_ptolemy(policy))
@@ -175,7 +164,7 @@ private:
   {
     if constexpr (std::is_same<FT, double>::value && !std::is_same<Layout_number_type<double>, double>::value) {
       if (tracks_edges) {
-        const auto sharp = sharpened(computation, input, indexing, policy, solver, report);
+        const auto sharp = sharpened(computation, input, indexing, policy, solver, progress, report);
         computation = Metric_computation<FT>(); // its memory is wanted
         return consume(sharp);
       }
@@ -191,12 +180,21 @@ private:
 template <typename TriangleMesh, typename NamedParameters, typename Consume>
 Similarity_map_report<TriangleMesh>
 converged_metric(const TriangleMesh& mesh, const Holonomy_signature<TriangleMesh>& signature, const bool tracks_edges,
-                 const NamedParameters& np, const Mesh_indexing<TriangleMesh>& indexing, Consume&& consume)
+                 const NamedParameters& np, const Mesh_indexing<TriangleMesh>& indexing, Progress& progress,
+                 Consume&& consume)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   Similarity_map_report<TriangleMesh> report;
-  report.signature = check_holonomy_signature(mesh, signature, np);
+  progress.begin_stage("similarity metric");
+  {
+    const Progress::Part part(progress, 0, 0.1);
+    report.signature = holonomy_signature_report(mesh, signature, np, progress);
+  }
+  if (progress.is_interrupted()) {
+    report.status = Similarity_map_status::INTERRUPTED;
+    return report;
+  }
   if (!report.signature.success()) {
     report.status = report.signature.status == Holonomy_signature_status::INVALID_MESH
                         ? Similarity_map_status::INVALID_MESH
@@ -206,7 +204,6 @@ converged_metric(const TriangleMesh& mesh, const Holonomy_signature<TriangleMesh
   const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                        get_const_property_map(CGAL::vertex_point, mesh));
   const auto policy = choose_parameter(get_parameter(np, np_tags::flip_policy), Ideal_delaunay_flips());
-  const auto visitor = choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Progress_visitor());
   using FT = std::decay_t<decltype(choose_parameter(get_parameter(np, np_tags::number_type), 0.))>;
   Newton_limits limits;
   limits.tolerance = choose_parameter(get_parameter(np, np_tags::residual_tolerance), limits.tolerance);
@@ -221,23 +218,25 @@ converged_metric(const TriangleMesh& mesh, const Holonomy_signature<TriangleMesh
   else
     solver = &own_solver.emplace(sparse_linear_solver(np));
 
-  visitor.begin_stage("similarity metric");
   const Metric_input input(indexing, signature, points);
-  double fraction = 0;
-  const Monotone_progress<decltype(visitor)> progress{visitor, fraction};
   const auto consume_without_solver = [&](const auto& converged) {
     own_solver.reset();
-    if (consume(input, converged))
+    if (progress.go_on() && consume(input, converged))
       return true;
     if constexpr (!std::is_reference<Solver>::value)
       solver = &own_solver.emplace(sparse_linear_solver(np));
     return false;
   };
   using Computation = Widening_computation<TriangleMesh, std::decay_t<decltype(policy)>, std::decay_t<Solver>,
-                                           std::decay_t<decltype(progress)>, decltype(consume_without_solver)>;
+                                           decltype(consume_without_solver)>;
   const Computation computation{input,    indexing, policy,       *solver,
                                 progress, limits,   tracks_edges, consume_without_solver};
-  computation.template start<FT>(Newton_record(), report);
+  {
+    const Progress::Part part(progress, 0.1, 1);
+    computation.template start<FT>(Newton_record(), report);
+  }
+  if (progress.is_interrupted())
+    report.status = Similarity_map_status::INTERRUPTED;
   return report;
 }
 

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SOLVER_INTERNAL_MULTIGRID_H
 
 #include <CGAL/T_splines/Solver/internal/Hermitian_rows.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/assertions.h>
 
@@ -143,11 +144,12 @@ class Multigrid {
 
 public:
   /// \param matrix positive definite
-  explicit Multigrid(Rows matrix)
+  /// \param progress if it is interrupted, levels are missing, and cycles are nothing worth
+  Multigrid(Rows matrix, Progress& progress)
   {
     m_levels.emplace_back();
     m_levels.back().matrix = std::move(matrix);
-    while (m_levels.back().matrix.size() > size_of_coarsest && add_level())
+    while (m_levels.back().matrix.size() > size_of_coarsest && progress.go_on() && add_level(progress))
       ;
     factorize_coarsest();
   }
@@ -208,7 +210,7 @@ private:
     Vector residual, coarse_residual, coarse_correction;
   };
 
-  bool add_level()
+  bool add_level(Progress& progress)
   {
     constexpr double thresholds[] = {0.25, 0.};
     for (const double threshold : thresholds) {
@@ -219,9 +221,13 @@ private:
         continue; // too many that are coupled strongly with none
       if (aggregates.number == 0)
         return false; // a diagonal matrix
+      if (!progress.go_on())
+        return false;
       m_levels.back().prolongation = smoothed(matrix, aggregation, aggregates);
       m_levels.back().coarse_size = aggregates.number;
-      Rows coarse = coarser_matrix(matrix, m_levels.back().prolongation, aggregates.number);
+      if (!progress.go_on())
+        return false;
+      Rows coarse = coarser_matrix(matrix, m_levels.back().prolongation, aggregates.number, progress);
       m_levels.emplace_back();
       m_levels.back().matrix = std::move(coarse);
       return true;
@@ -275,7 +281,7 @@ private:
   }
 
   // P^H A P.
-  static Rows coarser_matrix(const Rows& matrix, const Rectangle& p, const int size)
+  static Rows coarser_matrix(const Rows& matrix, const Rectangle& p, const int size, Progress& progress)
   {
     const std::size_t n = matrix.size();
     std::vector<std::size_t> begin(size + 1, 0);
@@ -293,6 +299,7 @@ private:
     std::vector<int> place(size, -1); // in the row that is summed up
     std::vector<Entry> row;
     for (int a = 0; a < size; ++a) {
+      progress.go_on_after(100);
       row.assign(1, Entry{a, Scalar(0)});
       place[a] = 0;
       const auto add_row = [&](const Scalar& factor, const int j) {

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Solver/internal/Hermitian_rows.h>
 #include <CGAL/T_splines/Solver/internal/Multigrid.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <algorithm>
 #include <array>
@@ -22,11 +23,12 @@ namespace internal {
 /// diagonal matrix.
 /// \param x on entry a first guess
 /// \param tolerance for the residual relative to b, both in the norm of the preconditioner
+/// \param progress asked before each iteration; if it is interrupted, x is what has been reached
 /// \return the number of iterations
 template <typename Scalar>
 int solve_with_multigrid(Multigrid<Scalar>& multigrid, const double a, const std::vector<double>& d,
                          const std::vector<Scalar>& b, std::vector<Scalar>& x, const double tolerance,
-                         const int maximum_number_of_iterations)
+                         const int maximum_number_of_iterations, Progress& progress)
 {
   const std::size_t n = b.size();
   std::vector<Scalar> r(n), z(n), p(n), q(n);
@@ -42,7 +44,7 @@ int solve_with_multigrid(Multigrid<Scalar>& multigrid, const double a, const std
     r[i] = b[i] - q[i];
   double previous = 0;
   int iteration = 0;
-  for (; iteration < maximum_number_of_iterations; ++iteration) {
+  for (; iteration < maximum_number_of_iterations && progress.go_on_after(n); ++iteration) {
     multigrid.cycle(r, z);
     const double r_z = dot(r, z);
     if (!(r_z > goal))
@@ -211,10 +213,11 @@ private:
 /// \param mass the diagonal of M, positive
 /// \param seed of the first guess
 /// \param x the eigenvector, with x^H M x = 1
+/// \param progress asked before each step; if it is interrupted, neither x nor mu mean anything
 /// \return mu. It is close to the smallest eigenvalue; where others are as close to that, so may be their eigenvectors in x.
 template <typename Scalar>
 double smallest_eigenvector(Multigrid<Scalar>& multigrid, const std::vector<double>& mass, const unsigned int seed,
-                            std::vector<Scalar>& x)
+                            std::vector<Scalar>& x, Progress& progress)
 {
   constexpr int most_steps = 60, most_steps_on_coarse = 20;
   constexpr double tolerance = 1e-6; // relative, of the eigenvalue
@@ -231,7 +234,8 @@ double smallest_eigenvector(Multigrid<Scalar>& multigrid, const std::vector<doub
     const bool is_coarsest = l + 1 == multigrid.number_of_levels(), is_finest = l == 0;
     Eigenvector_iteration<Scalar> iteration(multigrid, l, masses[l], guess);
     for (int step = 0; step < (is_coarsest || is_finest ? most_steps : most_steps_on_coarse); ++step)
-      if (!(iteration.step() > (is_finest ? tolerance : 10 * tolerance) * iteration.eigenvalue()))
+      if (!progress.go_on_after(masses[l].size()) ||
+          !(iteration.step() > (is_finest ? tolerance : 10 * tolerance) * iteration.eigenvalue()))
         break;
     eigenvalue = iteration.eigenvalue();
     if (is_finest)

@@ -5,35 +5,41 @@
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_ADAPTIVE_FIT_H
 
 #include <CGAL/T_splines/Spline/Adaptive_fit_report.h>
+#include <CGAL/T_splines/Spline/T_spline.h>
+#include <CGAL/T_splines/Spline/T_spline_deviation_report.h>
+#include <CGAL/T_splines/Spline/T_spline_self_intersection_report.h>
 #include <CGAL/T_splines/Spline/check_T_spline_self_intersections.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
 #include <CGAL/T_splines/Spline/internal/Fit_progress.h>
 #include <CGAL/T_splines/Spline/internal/Fold_state.h>
-#include <CGAL/T_splines/Spline/internal/Measured_mesh.h>
 #include <CGAL/T_splines/Spline/internal/Measured_surface.h>
+#include <CGAL/T_splines/Spline/internal/Mesh_intersections.h>
 #include <CGAL/T_splines/Spline/internal/Surface_fitter.h>
 #include <CGAL/T_splines/Spline/internal/Surface_walk.h>
-#include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/Spline/measure_T_spline_deviation.h>
+#include <CGAL/T_splines/Spline/tessellate_T_spline.h>
 #include <CGAL/T_splines/T_mesh/Carried_surface.h>
 #include <CGAL/T_splines/T_mesh/T_mesh.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/grade_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/internal/Face_ancestors.h>
 #include <CGAL/T_splines/T_mesh/internal/Split_position.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
+#include <CGAL/T_splines/defaults.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/iterator.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -45,17 +51,16 @@ namespace internal {
 
 /// What an adaptive fit is asked for.
 struct Adaptive_fit_options {
-  double tolerance; ///< in the units of the points
+  double tolerance; ///< by the longest side of the bounding box of the mesh
   double fairness;
-  std::size_t largest_number_of_control_points; ///< 0: as `default_limit()` says
-  int number_of_corrections;                    ///< per level
+  std::optional<std::size_t> largest_number_of_control_points; ///< none: as `default_limit()` says
+  int number_of_corrections;                                   ///< per level
 };
 
 /// As many control points as a surface may need that is worth having.
 inline std::size_t default_limit(const std::size_t coarsest, const std::size_t number_of_points)
 {
-  constexpr std::size_t always_allowed = 5000;
-  return (std::max)({always_allowed, 4 * coarsest, number_of_points / 2});
+  return (std::max)({std::size_t(always_allowed_control_points), 4 * coarsest, number_of_points / 2});
 }
 
 /// Fits, refines where the surface is too far from the mesh or folds, and fits again.
@@ -66,7 +71,8 @@ inline std::size_t default_limit(const std::size_t coarsest, const std::size_t n
 ///
 /// Distances at samples tell where to refine. Only when they find nothing more, the distance is measured as users
 /// would measure it; what exceeds the tolerance or folds then is refined as well.
-template <typename Kernel, typename SolverTraits, typename Visitor>
+/// \tparam Reference a `Reference_mesh`
+template <typename Kernel, typename SolverTraits, typename Reference>
 class Adaptive_fit {
   using FT = typename Kernel::FT;
   using Working = T_mesh<typename Kernel::Point_3, FT>;
@@ -75,38 +81,59 @@ class Adaptive_fit {
   using Carried = Carried_surface<Graph>;
   using Fitter = Surface_fitter<Const_T_mesh_view_of<Working>, Kernel>;
   using Compiled = typename Fitter::Compiled;
-  using Triangle_mesh = CGAL::Surface_mesh<typename Carried::Point_3>;
+  using Deviation_report = T_spline_deviation_report<Graph, typename Reference::TriangleMesh>;
   using Status = Adaptive_fit_status;
 
 public:
+  using Level_observer = std::function<void(const T_spline_fit_level&, const Working&)>;
+
   /// \param t_mesh admissible
   /// \param surface in its faces
-  Adaptive_fit(const Working& t_mesh, const Carried& surface, const Adaptive_fit_options& options, SolverTraits& solver,
-               const Visitor& visitor)
+  /// \param reference valid, not flat
+  /// \param observer is told each level that is fitted, with its T-mesh, whose points are the control points
+  /// \param progress must outlive this
+  Adaptive_fit(const Working& t_mesh, const Carried& surface, Reference& reference, const Adaptive_fit_options& options,
+               SolverTraits& solver, const Level_observer& observer, Progress& progress)
     : m_options(options),
+      m_tolerance(options.tolerance * reference.extent()),
+      m_reference(reference),
       m_solver(solver),
-      m_visitor(visitor),
+      m_observer(observer),
+      m_caller(progress),
       m_points(surface.points()),
       m_triangles(surface.triangles()),
-      m_walk(m_points, m_triangles),
-      m_mesh(mesh_of(m_points, m_triangles)),
+      m_walk(m_points, m_triangles, progress),
       m_plain{t_mesh, surface, std::vector<double>(t_mesh.graph().number_of_faces(), 1)}
   {
   }
 
-  /// \tparam Given the graph that the report is about
-  template <typename Given>
-  void run(Adaptive_fit_report<Given>& report)
+  /// \tparam Report an `Adaptive_fit_report`
+  template <typename Report>
+  void run(Report& report)
   {
+    run_levels(report);
+    if (m_caller.is_interrupted())
+      report.status = Status::INTERRUPTED;
+  }
+
+  /// The T-mesh of the best level, with its control points.
+  const Working& best() const { return m_best; }
+
+private:
+  template <typename Report>
+  void run_levels(Report& report)
+  {
+    m_caller.begin_stage("fit");
+    if (!m_caller.go_on())
+      return;
     if (!make_compatible()) {
       report.status = Status::NOT_SPLINE_COMPATIBLE;
       return;
     }
     const std::size_t coarsest = m_fine.t_mesh.graph().number_of_vertices();
-    m_limit = m_options.largest_number_of_control_points;
-    if (m_limit == 0)
-      m_limit = default_limit(coarsest, m_points.size());
-    if (coarsest > m_limit) {
+    report.is_limit_default = !m_options.largest_number_of_control_points;
+    report.limit = m_options.largest_number_of_control_points.value_or(default_limit(coarsest, m_points.size()));
+    if (coarsest > report.limit) {
       report.status = Status::LIMIT_TOO_LOW;
       report.levels.push_back({coarsest, m_fine.t_mesh.graph().number_of_faces(), m_in_rings, 0, 0, {}});
       return;
@@ -115,38 +142,29 @@ public:
       if (m_progress.add(quality(report.levels.back()))) {
         report.best_level = report.levels.size() - 1;
         m_best = m_fine.t_mesh;
+        m_measured_best = m_measured;
       }
       if (is_done(report))
-        return;
+        break;
     }
+    if (report.status == Status::INTERRUPTED || report.levels.empty())
+      return;
     // A level that cannot be fitted is no reason to give away those before.
-    if (!report.levels.empty() && report.status != Status::INTERRUPTED)
+    if (!report.success())
       report.status = Status::NO_IMPROVEMENT;
-  }
-
-  /// The T-mesh of the best level, with its control points.
-  const Working& best() const { return m_best; }
-
-private:
-  static Triangle_mesh mesh_of(const std::vector<typename Carried::Point_3>& points,
-                               const std::vector<typename Carried::Triangle>& triangles)
-  {
-    Triangle_mesh mesh;
-    for (const auto& p : points)
-      mesh.add_vertex(p);
-    for (const auto& t : triangles) {
-      const auto vertex = [&](const int i) {
-        return typename Triangle_mesh::Vertex_index(static_cast<unsigned>(t[i]));
-      };
-      mesh.add_face(vertex(0), vertex(1), vertex(2));
-    }
-    return mesh;
+    describe_best(report);
   }
 
   struct State {
     Working t_mesh;
     Carried surface;
     std::vector<double> stiffness; // of the faces, by index
+  };
+
+  // What is known of the surface of a level once it is within the tolerance at all samples.
+  struct Measured_level {
+    Deviation_report deviation;
+    std::optional<T_spline_self_intersection_report> self_intersections; // if there are no folds
   };
 
   // A face of the plain T-mesh that is to be split.
@@ -158,14 +176,13 @@ private:
 
   Fit_quality quality(const T_spline_fit_level& level) const
   {
-    return {level.number_of_control_points,        level.error.maximum / m_options.tolerance,
-            level.error.rms / m_options.tolerance, level.number_of_folded_faces,
-            level.number_of_doubtful_faces,        m_area_to_mend};
+    return {level.number_of_control_points, level.error.maximum / m_tolerance, level.error.rms / m_tolerance,
+            level.number_of_folded_faces,   level.number_of_doubtful_faces,    m_area_to_mend};
   }
 
   // Refines, or says why not.
-  template <typename Given>
-  bool is_done(Adaptive_fit_report<Given>& report)
+  template <typename Report>
+  bool is_done(Report& report)
   {
     if (m_progress.best().is_within_tolerance())
       report.status = Status::WITHIN_TOLERANCE;
@@ -173,13 +190,42 @@ private:
       report.status = Status::NO_IMPROVEMENT;
     else if (m_plans.empty())
       report.status = Status::RESOLUTION_REACHED;
-    else if (!m_visitor.go_on())
+    else if (!m_caller.go_on())
       report.status = Status::INTERRUPTED;
-    else if (refine())
-      return false;
-    else
-      report.status = Status::CONTROL_POINT_LIMIT;
+    else {
+      const Refinement refinement = refine(report.limit);
+      if (refinement == Refinement::DONE)
+        return false;
+      report.status = refinement == Refinement::NOT_ALLOWED ? Status::CONTROL_POINT_LIMIT : Status::RESOLUTION_REACHED;
+    }
     return true;
+  }
+
+  // Measures the surface that is handed out, if that was not done when its level was fitted.
+  template <typename Report>
+  void describe_best(Report& report)
+  {
+    if (!m_measured_best || !m_measured_best->self_intersections) {
+      const T_spline<Kernel> best(m_best);
+      const Compiled compiled = compile_T_spline(best.surface(), CGAL::parameters::visitor(Part_visitor(m_caller)));
+      if (compiled.status() == T_spline_compilation_status::INTERRUPTED)
+        return;
+      if (!m_measured_best)
+        m_measured_best = measure(compiled, [](std::size_t, double, Fold_state) {});
+      if (m_caller.is_interrupted())
+        return;
+      if (!m_measured_best) {
+        report.status = Status::NOT_MEASURABLE;
+        report.deviation.status = T_spline_deviation_status::SURFACE_NOT_FINITE;
+        return;
+      }
+      m_measured_best->self_intersections = self_intersections(compiled, CGAL::Emptyset_iterator());
+    }
+    report.deviation = m_measured_best->deviation;
+    report.self_intersections = *m_measured_best->self_intersections;
+    report.self_intersections.number_of_mesh_intersections = m_reference.intersections().number_of_pairs();
+    if (report.deviation.within_tolerance() && !report.deviation.has_folds() && report.self_intersections.success())
+      report.status = Status::WITHIN_TOLERANCE;
   }
 
   // Makes the copy.
@@ -187,11 +233,18 @@ private:
   {
     m_fine = m_plain;
     m_ancestors = Face_ancestors<Graph>();
-    const T_mesh_visitor_pair visitor(m_fine.surface.visitor(), m_ancestors.visitor());
-    const auto report = CGAL::T_splines::make_spline_compatible(m_fine.t_mesh, CGAL::parameters::visitor(visitor));
+    const T_mesh_observer_pair observer(m_fine.surface.observer(), m_ancestors.observer());
+    const auto report = CGAL::T_splines::make_spline_compatible(m_fine.t_mesh, with_part_visitor(observer));
     m_in_rings = report.vertices_in_rings;
     m_fine.stiffness = inherited(m_plain.stiffness, m_ancestors, m_fine.t_mesh.graph());
     return report.success();
+  }
+
+  // The named parameters with which a T-mesh is changed.
+  template <typename Observer>
+  auto with_part_visitor(const Observer& observer) const
+  {
+    return CGAL::T_splines::parameters::observer(observer).visitor(Part_visitor(m_caller));
   }
 
   // What the faces have of those that they were cut from.
@@ -204,19 +257,19 @@ private:
     return result;
   }
 
-  template <typename Given>
-  bool fit_level(Adaptive_fit_report<Given>& report)
+  template <typename Report>
+  bool fit_level(Report& report)
   {
     constexpr double almost = 2;
     Working& t = m_fine.t_mesh;
-    Fitter fitter(t, m_fine.surface, m_walk, m_fine.stiffness);
+    m_caller.begin_stage("fit");
+    Fitter fitter(t, m_fine.surface, m_walk, m_fine.stiffness, m_caller);
     if (!fitter.fitted().surface().is_valid()) {
       report.status = Status::NOT_SPLINE_COMPATIBLE;
       return false;
     }
     T_spline_fit_report<Graph> fit;
-    if (!fitter.fit(start(report), m_options.tolerance, m_options.fairness, m_options.number_of_corrections, m_solver,
-                    m_visitor, fit)) {
+    if (!fitter.fit(start(report), m_tolerance, m_options.fairness, m_options.number_of_corrections, m_solver, fit)) {
       report.fit.status = fit.status;
       report.status = fit.status == T_spline_fit_status::INTERRUPTED  ? Status::INTERRUPTED
                       : fit.status == T_spline_fit_status::NO_SAMPLES ? Status::NO_SURFACE
@@ -226,10 +279,16 @@ private:
     for (const auto v : t.graph().vertices())
       t.graph().point(v) = fitter.fitted().control_point(v);
     std::vector<Face_fit> faces = fitter.faces();
-    m_last.emplace(compile_T_spline(fitter.fitted().surface()), m_fine.surface);
+    Compiled compiled = compile_T_spline(fitter.fitted().surface(), CGAL::parameters::visitor(Part_visitor(m_caller)));
+    if (compiled.status() == T_spline_compilation_status::INTERRUPTED)
+      return false;
+    m_last.emplace(std::move(compiled), m_fine.surface);
+    m_measured.reset();
     if (are_within(faces))
-      measure(faces, fit.error);
-    if (fit.error.maximum <= almost * m_options.tolerance)
+      measure_level(faces, fit.error);
+    if (!m_caller.go_on())
+      return false;
+    if (fit.error.maximum <= almost * m_tolerance)
       stiffen(faces);
     const auto number_of = [&](const Fold_state fold) {
       return static_cast<std::size_t>(
@@ -238,23 +297,24 @@ private:
     report.number_of_samples = fit.number_of_samples;
     report.levels.push_back({t.graph().number_of_vertices(), t.graph().number_of_faces(), m_in_rings,
                              number_of(Fold_state::FOLDED), number_of(Fold_state::DOUBTFUL), fit.error});
-    m_visitor.level_fitted(report.levels.back(), t);
+    if (m_observer)
+      m_observer(report.levels.back(), t);
     plan(faces);
     return true;
   }
 
   // The surface of the last level, if it is near enough to begin with.
-  template <typename Given>
-  const typename Fitter::Start* start(const Adaptive_fit_report<Given>& report) const
+  template <typename Report>
+  const typename Fitter::Start* start(const Report& report) const
   {
     constexpr double near = 3; // by the tolerance
-    return m_last && report.levels.back().error.maximum <= near * m_options.tolerance ? &*m_last : nullptr;
+    return m_last && report.levels.back().error.maximum <= near * m_tolerance ? &*m_last : nullptr;
   }
 
   bool are_within(const std::vector<Face_fit>& faces) const
   {
     return std::all_of(faces.begin(), faces.end(), [&](const Face_fit& face) {
-      return face.distance <= m_options.tolerance && face.fold != Fold_state::FOLDED;
+      return face.distance <= m_tolerance && face.fold != Fold_state::FOLDED;
     });
   }
 
@@ -278,46 +338,52 @@ private:
   }
 
   // What the samples did not see, by what `measure_T_spline_deviation()` and `check_T_spline_self_intersections()` do.
-  void measure(std::vector<Face_fit>& faces, T_spline_fit_error& error)
+  void measure_level(std::vector<Face_fit>& faces, T_spline_fit_error& error)
   {
-    if (!m_measured_mesh) {
-      Triangle_set set;
-      m_reading = read_triangle_set(m_mesh, m_mesh.points(), set);
-      m_measured_mesh.emplace(std::move(set));
-    }
-    if (m_reading.status != T_spline_deviation_status::MEASURED)
+    m_measured = measure(m_last->compiled(), [&](const std::size_t i, const double distance, const Fold_state fold) {
+      faces[i].distance = (std::max)(faces[i].distance, distance);
+      faces[i].fold = (std::max)(faces[i].fold, fold);
+    });
+    if (!m_measured)
       return;
-    Measured_surface<Compiled> measured(m_last->compiled());
-    if (!measured.is_finite())
+    const Deviation_report& deviation = m_measured->deviation;
+    error.maximum = deviation.maximum();
+    error.rms = (std::max)(deviation.mesh_to_surface.rms, deviation.surface_to_mesh.rms);
+    if (!deviation.within_tolerance() || deviation.has_folds())
       return;
-    T_spline_deviation_report<Graph, Triangle_mesh> report;
-    report.tolerance = m_options.tolerance;
-    Deviation_measurement<Compiled, Triangle_mesh> measurement(*m_measured_mesh, m_reading, measured, report);
-    measurement.measure_surface();
-    measurement.measure_mesh();
-    error.maximum = report.maximum();
-    error.rms = (std::max)(report.mesh_to_surface.rms, report.surface_to_mesh.rms);
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      faces[i].distance = (std::max)(faces[i].distance, measurement.face_deviation(i));
-      faces[i].fold = (std::max)(faces[i].fold, measurement.face_state(i));
-    }
-    if (report.is_within_tolerance() && !report.has_folds())
-      find_self_intersections(faces);
-  }
-
-  void find_self_intersections(std::vector<Face_fit>& faces)
-  {
-    constexpr int resolution = 8;
-    const auto of_mesh = [&]() -> const Mesh_intersections& {
-      if (!m_mesh_intersections)
-        m_mesh_intersections.emplace(m_mesh, m_mesh.points());
-      return *m_mesh_intersections;
-    };
     std::vector<Face> found;
-    find_new_self_intersections(m_last->compiled(), resolution, of_mesh, m_options.tolerance,
-                                std::back_inserter(found));
+    m_measured->self_intersections = self_intersections(m_last->compiled(), std::back_inserter(found));
     for (const Face f : found)
       faces[f].fold = Fold_state::FOLDED;
+  }
+
+  // Distances and folds, if the surface is finite.
+  // \param visit is called with each face, the largest distance there, and whether it folds
+  template <typename Visit>
+  std::optional<Measured_level> measure(const Compiled& compiled, const Visit& visit)
+  {
+    Measured_surface<Compiled> surface(compiled, m_caller);
+    if (!m_caller.go_on() || !surface.is_finite())
+      return std::nullopt;
+    Measured_level level;
+    level.deviation.tolerance = m_tolerance;
+    Deviation_measurement<Compiled, typename Reference::TriangleMesh> measurement(
+        m_reference.measured(), m_reference.reading(), surface, m_caller, level.deviation);
+    measurement.measure_surface();
+    measurement.measure_mesh();
+    if (m_caller.is_interrupted())
+      return std::nullopt;
+    for (int i = 0; i < compiled.indexing().number_of_faces(); ++i)
+      visit(static_cast<std::size_t>(i), measurement.face_deviation(i), measurement.face_state(i));
+    return level;
+  }
+
+  template <typename OutputIterator>
+  T_spline_self_intersection_report self_intersections(const Compiled& compiled, const OutputIterator faces)
+  {
+    const auto of_mesh = [this]() -> const Mesh_intersections& { return m_reference.intersections(); };
+    return find_new_self_intersections(compiled, default_tessellation_resolution, of_mesh, m_tolerance, faces,
+                                       m_caller);
   }
 
   // What is to be split: the faces of the plain T-mesh under the faces of the copy that are not as they should be,
@@ -330,7 +396,7 @@ private:
     for (const Face f : m_fine.t_mesh.graph().faces()) {
       const Face_fit& face = faces[f];
       const double error =
-          (std::max)(face.distance / m_options.tolerance, face.fold == Fold_state::FOLDED ? error_of_fold : 0.);
+          (std::max)(face.distance / m_tolerance, face.fold == Fold_state::FOLDED ? error_of_fold : 0.);
       const Face plain = m_ancestors(f);
       errors[plain] = (std::max)(errors[plain], error);
       areas[plain] += face.area;
@@ -342,7 +408,7 @@ private:
     for (const Face f : t.graph().faces()) {
       const double width = CGAL::to_double(coordinates.width(f)), height = CGAL::to_double(coordinates.height(f));
       const double longer_side = std::sqrt(areas[f] * (std::max)(width / height, height / width));
-      if (errors[f] > 1 && longer_side > smallest_size * m_options.tolerance)
+      if (errors[f] > 1 && longer_side > smallest_size * m_tolerance)
         m_plans.push_back({f, errors[f], width >= height ? 0 : 1});
     }
     std::stable_sort(m_plans.begin(), m_plans.end(), [](const Plan& a, const Plan& b) { return a.error > b.error; });
@@ -361,12 +427,16 @@ private:
       editor.split_face(f, 1 - plan.longer_axis, position(f, 1 - plan.longer_axis));
   }
 
+  static constexpr std::size_t work_per_split = 1000;
+
   // Neighbours of very different size share basis functions that suit neither.
   static constexpr double largest_ratio_of_neighbours = 6;
 
-  // Returns whether the refined T-mesh has no more control points than allowed; if it had, fewer faces are split, those
-  // with the largest errors.
-  bool refine()
+  enum class Refinement { DONE, NOT_ALLOWED, NOT_COMPATIBLE };
+
+  // Refines; where the T-mesh would have more control points than allowed, or could not be made spline compatible, fewer
+  // faces are split, those with the largest errors.
+  Refinement refine(const std::size_t limit)
   {
     const std::size_t before = m_fine.t_mesh.graph().number_of_vertices();
     // By the tolerance; and if few faces are left, what more control points cost is less than what more levels do.
@@ -375,48 +445,52 @@ private:
         static_cast<double>(m_plans.size()) < few * static_cast<double>(m_fine.t_mesh.graph().number_of_faces());
     const State plain = m_plain;
     std::size_t number = m_plans.size();
-    while (number > 0) {
+    Refinement result = Refinement::NOT_COMPATIBLE;
+    while (number > 0 && m_caller.go_on()) {
       Working& t = m_plain.t_mesh;
       Face_ancestors<Graph> ancestors;
-      const T_mesh_visitor_pair visitor(m_plain.surface.visitor(), ancestors.visitor());
-      T_mesh_editor editor(t, visitor);
+      const T_mesh_observer_pair observer(m_plain.surface.observer(), ancestors.observer());
+      T_mesh_editor editor(t, observer);
       const Split_position position(t);
-      for (std::size_t i = 0; i < number; ++i)
+      for (std::size_t i = 0; i < number && m_caller.go_on_after(work_per_split); ++i)
         split(m_plans[i], are_few || m_plans[i].error > large_error, editor, position);
-      grade_T_mesh(t, largest_ratio_of_neighbours, CGAL::parameters::visitor(visitor));
+      grade_T_mesh(t, largest_ratio_of_neighbours, with_part_visitor(observer));
       m_plain.stiffness = inherited(plain.stiffness, ancestors, t.graph());
       const bool is_compatible = make_compatible();
       const std::size_t after = m_fine.t_mesh.graph().number_of_vertices();
-      if (is_compatible && after <= m_limit)
-        return true;
+      if (is_compatible && after <= limit)
+        return Refinement::DONE;
       m_plain = plain;
-      const double fraction = after > before && m_limit > before
-                                  ? static_cast<double>(m_limit - before) / static_cast<double>(after - before)
-                                  : 0;
-      number = static_cast<std::size_t>(static_cast<double>(number) * (std::min)(0.9 * fraction, 0.5 + 0.4 * fraction));
+      result = is_compatible ? Refinement::NOT_ALLOWED : Refinement::NOT_COMPATIBLE;
+      if (is_compatible) {
+        const double share_of_growth = static_cast<double>(limit - before) / static_cast<double>(after - before);
+        number = static_cast<std::size_t>(static_cast<double>(number) *
+                                          (std::min)(0.9 * share_of_growth, 0.5 + 0.4 * share_of_growth));
+      }
+      else
+        number /= 2;
     }
-    return false;
+    return result;
   }
 
   const Adaptive_fit_options& m_options;
+  const double m_tolerance; // a length
+  Reference& m_reference;
   SolverTraits& m_solver;
-  const Visitor& m_visitor;
+  const Level_observer& m_observer;
+  Progress& m_caller;
   const std::vector<typename Carried::Point_3> m_points; // of the surface
   const std::vector<typename Carried::Triangle> m_triangles;
   const Surface_walk m_walk;
-  const Triangle_mesh m_mesh;
-  Triangle_reading<Triangle_mesh> m_reading;
-  std::optional<Measured_mesh> m_measured_mesh;
-  std::optional<Mesh_intersections> m_mesh_intersections;
   State m_plain, m_fine; // without and with what makes it spline compatible
   Face_ancestors<Graph> m_ancestors;
   std::size_t m_in_rings = 0;
   std::optional<typename Fitter::Start> m_last; // the surface of the last level
   Fit_progress m_progress;
   Working m_best;
-  std::size_t m_limit = 0;   // of the number of control points
-  double m_area_to_mend = 0; // on the mesh
-  std::vector<Plan> m_plans; // of the last level, the largest errors first
+  std::optional<Measured_level> m_measured, m_measured_best; // the last level and the best one, if they were measured
+  double m_area_to_mend = 0;                                 // on the mesh
+  std::vector<Plan> m_plans;                                 // of the last level, the largest errors first
 };
 
 } // namespace internal

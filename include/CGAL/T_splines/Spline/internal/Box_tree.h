@@ -4,6 +4,8 @@
 #ifndef CGAL_T_SPLINES_SPLINE_INTERNAL_BOX_TREE_H
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_BOX_TREE_H
 
+#include <CGAL/T_splines/internal/Progress.h>
+
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -62,12 +64,19 @@ public:
   /// Time N log N.
   explicit Box_tree(const std::vector<Box>& boxes)
   {
+    Progress nobody;
+    *this = Box_tree(boxes, nobody);
+  }
+
+  /// The same. \param progress if it is interrupted, boxes are missing
+  Box_tree(const std::vector<Box>& boxes, Progress& progress)
+  {
     std::vector<std::size_t> items(boxes.size());
     for (std::size_t i = 0; i < items.size(); ++i)
       items[i] = i;
     m_nodes.reserve(2 * items.size());
     if (!items.empty())
-      add_node(boxes, items, 0, items.size());
+      add_node(boxes, items, 0, items.size(), progress);
   }
 
   /// Calls `visit(item)` for the items whose boxes are closer to a point than a radius, the closer half of a node
@@ -110,7 +119,7 @@ private:
   };
 
   void add_node(const std::vector<Box>& boxes, std::vector<std::size_t>& items, const std::size_t begin,
-                const std::size_t end)
+                const std::size_t end, Progress& progress)
   {
     const std::size_t node = m_nodes.size();
     m_nodes.push_back({Box(), 0, items[begin]});
@@ -121,7 +130,7 @@ private:
       m_nodes[node].box.extend(box.high);
       middles.extend({box.middle(0), box.middle(1), box.middle(2)});
     }
-    if (end - begin == 1)
+    if (end - begin == 1 || !progress.go_on_after(1 + (end - begin) / 2))
       return;
     int axis = 0;
     for (int k = 1; k < 3; ++k)
@@ -132,9 +141,9 @@ private:
                      [&](const std::size_t a, const std::size_t b) {
                        return std::make_pair(boxes[a].middle(axis), a) < std::make_pair(boxes[b].middle(axis), b);
                      });
-    add_node(boxes, items, begin, half);
+    add_node(boxes, items, begin, half, progress);
     m_nodes[node].second_child = m_nodes.size();
-    add_node(boxes, items, half, end);
+    add_node(boxes, items, half, end, progress);
   }
 
   std::vector<Node> m_nodes;

@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Spline/internal/Largest_distance.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <algorithm>
 #include <array>
@@ -66,11 +67,13 @@ public:
 
   /// \param negligible distances that need not be told apart
   /// \param smallest_size cells need not be smaller for means
+  /// \param progress it must outlive this; if it is interrupted, what was measured means nothing
   Distances_to_mesh(const Measured& surface, const Triangle_tree& mesh, const double negligible,
-                    const double smallest_size)
+                    const double smallest_size, Progress& progress)
     : m_surface(surface),
       m_mesh(mesh),
       m_smallest_size(smallest_size),
+      m_progress(progress),
       m_largest(negligible)
   {
   }
@@ -85,8 +88,11 @@ public:
       area += m_surface.size(i)[0] * m_surface.size(i)[1];
     const double size =
         (std::max)({std::sqrt(area / number_of_cells), m_smallest_size, (std::numeric_limits<double>::min)()});
-    for (std::size_t i = 0; i < m_surface.number_of_patches(); ++i)
+    const std::size_t n = m_surface.number_of_patches();
+    for (std::size_t i = 0; i < n && !m_progress.is_interrupted(); ++i) {
+      m_progress.progress(static_cast<double>(i) / static_cast<double>(n));
       measure_patch(i, size, sum, visit);
+    }
   }
 
   /// Looks for the largest distance. \param number_of_steps the most cells that are halved
@@ -96,7 +102,7 @@ public:
     for (Cell& cell : m_cells)
       m_largest.add(std::move(cell));
     m_cells.clear();
-    while (number_of_steps > 0 && m_largest.has_open_part()) {
+    while (number_of_steps > 0 && m_largest.has_open_part() && m_progress.go_on_after(20)) {
       Cell cell = m_largest.take();
       if (!cell.has_hull_bound) {
         cell.has_hull_bound = true;
@@ -163,7 +169,7 @@ private:
                     Distance_sum& sum, const Visit& visit)
   {
     const double width = r.width() / columns, height = r.height() / rows;
-    for (int j = 0; j < rows; ++j)
+    for (int j = 0; j < rows && m_progress.go_on_after(20 * static_cast<std::size_t>(columns)); ++j)
       for (int column = 0; column < columns; ++column) {
         const int i = j % 2 == 0 ? column : columns - 1 - column; // the next one is a neighbour
         Cell cell = measured(
@@ -214,6 +220,7 @@ private:
   const Measured& m_surface;
   const Triangle_tree& m_mesh;
   double m_smallest_size;
+  Progress& m_progress;
   Surface_sample m_sample, m_farthest;
   std::vector<Cell> m_cells; // those of the first grid that are open
   Largest_distance<Cell> m_largest;

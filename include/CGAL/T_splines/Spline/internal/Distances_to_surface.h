@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
 #include <CGAL/T_splines/Spline/internal/area_samples.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/number_utils.h>
 
@@ -50,11 +51,13 @@ public:
 
   /// \param negligible distances that need not be told apart
   /// \param smallest_size parts need not be smaller for means
+  /// \param progress it must outlive this; if it is interrupted, what was measured means nothing
   Distances_to_surface(const Triangle_set& mesh, const Measured& surface, const double negligible,
-                       const double smallest_size)
+                       const double smallest_size, Progress& progress)
     : m_mesh(mesh),
       m_surface(surface),
       m_smallest_size(smallest_size),
+      m_progress(progress),
       m_negligible(negligible),
       m_largest(negligible)
   {
@@ -68,15 +71,19 @@ public:
   {
     measure_points(visit);
     measure_edges(number_of_samples, visit);
-    const double smallest = affordable_size(m_mesh, (std::max)(smallest_cell(), m_smallest_size), number_of_samples);
+    const double smallest =
+        affordable_size(m_mesh, (std::max)(smallest_cell(), m_smallest_size), number_of_samples, m_progress);
     std::vector<Part> parts;
-    for (std::size_t i = 0; i < m_mesh.triangles.size(); ++i) {
+    const std::size_t n = m_mesh.triangles.size();
+    for (std::size_t i = 0; i < n && m_progress.go_on_after(10); ++i) {
+      if (i % 64 == 0)
+        m_progress.progress(0.6 + 0.4 * static_cast<double>(i) / static_cast<double>(n));
       const std::array<std::size_t, 3>& t = m_mesh.triangles[i];
       parts.push_back({{m_mesh.points[t[0]], m_mesh.points[t[1]], m_mesh.points[t[2]]},
                        {m_feet[t[0]], m_feet[t[1]], m_feet[t[2]]},
                        i,
                        0});
-      while (!parts.empty()) {
+      while (!parts.empty() && !m_progress.is_interrupted()) {
         Part part = parts.back();
         parts.pop_back();
         if (is_small(part, smallest) || !bisect(part, visit, parts)) {
@@ -97,7 +104,7 @@ public:
   void search(std::size_t number_of_steps, const Visit& visit)
   {
     std::vector<Part> halves;
-    for (; number_of_steps > 0 && m_largest.has_open_part(); --number_of_steps) {
+    for (; number_of_steps > 0 && m_largest.has_open_part() && m_progress.go_on_after(10); --number_of_steps) {
       Part part = m_largest.take();
       halves.clear();
       if (!bisect(part, visit, halves))
@@ -133,6 +140,9 @@ private:
         const std::size_t p = m_mesh.triangles[i][k], q = m_mesh.triangles[i][(k + 1) % 3];
         edges.push_back({(std::min)(p, q), (std::max)(p, q), i});
       }
+    m_progress.progress(0.4);
+    if (!m_progress.go_on())
+      return;
     std::sort(edges.begin(), edges.end());
     const auto is_same = [](const auto& a, const auto& b) { return a[0] == b[0] && a[1] == b[1]; };
     edges.erase(std::unique(edges.begin(), edges.end(), is_same), edges.end());
@@ -142,7 +152,7 @@ private:
     std::vector<Segment> segments;
     for (const auto& edge : edges) {
       segments.push_back({m_mesh.points[edge[0]], m_mesh.points[edge[1]], m_feet[edge[0]], m_feet[edge[1]]});
-      while (!segments.empty()) {
+      while (!segments.empty() && m_progress.go_on_after(1)) {
         const Segment segment = segments.back();
         segments.pop_back();
         const double size =
@@ -185,6 +195,8 @@ private:
     samples.swap(m_far_samples);
     std::sort(samples.begin(), samples.end(), is_farther);
     for (const Sample& sample : samples) {
+      if (m_progress.is_interrupted())
+        break;
       const double size = (std::max)(cell_size(sample.foot.patch), m_smallest_size);
       if (std::any_of(starts.begin(), starts.end(), [&](const Sample& start) {
             return start.triangle == sample.triangle && CGAL::squared_distance(start.point, sample.point) < size * size;
@@ -211,7 +223,8 @@ private:
       return;
     const auto x = side / std::sqrt(side.squared_length());
     const auto y = CGAL::cross_product(normal, x) / std::sqrt(normal.squared_length());
-    for (double step = longest_step; step > shortest * longest_step && number_of_trials > 0;) {
+    for (double step = longest_step;
+         step > shortest * longest_step && number_of_trials > 0 && !m_progress.is_interrupted();) {
       bool is_higher = false;
       for (int i = 0; i < 6 && !is_higher; ++i, --number_of_trials) {
         const double angle = CGAL_PI / 3 * i;
@@ -241,21 +254,29 @@ private:
     m_feet.resize(m_mesh.points.size());
     std::vector<bool> is_measured(m_mesh.points.size(), false);
     Foot hint;
-    for (std::size_t i = 0; i < m_mesh.triangles.size(); ++i)
+    const std::size_t n = m_mesh.triangles.size();
+    for (std::size_t i = 0; i < n && m_progress.go_on_after(1); ++i) {
+      if (i % 64 == 0)
+        m_progress.progress(0.3 * static_cast<double>(i) / static_cast<double>(n));
       for (const std::size_t p : m_mesh.triangles[i])
         if (!is_measured[p]) {
           is_measured[p] = true;
           hint = m_feet[p] = measured(m_mesh.points[p], hint, i, visit);
         }
+    }
   }
 
   template <typename Visit>
   Foot measured(const Point_3& p, const Foot& hint, const std::size_t triangle, const Visit& visit)
   {
+    constexpr std::size_t work = 100, work_of_global_search = 1000;
+    m_progress.go_on_after(work);
     Foot foot = m_surface.close_point(p, hint);
     // Which of two sheets is closer does not matter where the point lies on one, up to round-off.
-    if (foot.distance > (std::max)(m_largest.found(), m_negligible))
+    if (foot.distance > (std::max)(m_largest.found(), m_negligible)) {
+      m_progress.go_on_after(work_of_global_search);
       foot = m_surface.closest_point(p, foot);
+    }
     const Sample sample{p, foot, triangle};
     if (m_largest.offer(foot.distance))
       m_farthest = sample;
@@ -341,6 +362,7 @@ private:
   const Triangle_set& m_mesh;
   const Measured& m_surface;
   double m_smallest_size;
+  Progress& m_progress;
   std::vector<Foot> m_feet; // of the points
   Sample m_farthest;
   std::vector<Sample> m_far_samples;

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_FACE_TESSELLATION_H
 
 #include <CGAL/T_splines/T_mesh/internal/T_mesh_arrays.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -12,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -20,8 +22,9 @@ namespace internal {
 
 /// A triangulation of the faces of a T-mesh whose vertices on an edge are the same from both sides, T-joints included.
 ///
-/// Each edge is divided evenly, so often that every side of a face has at least n parts. Inside, a face has (n - 1) x
-/// (n - 1) points, and between them and the sides strips that are zipped together.
+/// Each edge is divided evenly, so often that every side of a face has at least as many parts as the face asks for: m in
+/// the direction of u, n in that of v. Inside, a face has (m - 1) x (n - 1) points, and between them and the sides strips
+/// that are zipped together.
 template <typename FT>
 class Face_tessellation {
   using Arrays = T_mesh_arrays<FT>;
@@ -35,12 +38,21 @@ public:
     FT u, v;
   };
 
-  /// \param n at least 2
-  Face_tessellation(const Arrays& t_mesh, const int n) : m_t_mesh(t_mesh), m_n(has_tip() ? (std::max)(n, 3) : n)
+  /// Into how many parts the sides of a face are divided, at least: those along u, and those along v.
+  using Divisions = std::array<int, 2>;
+
+  /// \param divisions of each face, at least 2
+  /// \param progress if it is interrupted, triangles are missing
+  Face_tessellation(const Arrays& t_mesh, std::vector<Divisions> divisions, Progress& progress)
+    : m_t_mesh(t_mesh),
+      m_divisions(std::move(divisions))
   {
+    if (has_tip())
+      for (Divisions& n : m_divisions)
+        n = {(std::max)(n[0], 3), (std::max)(n[1], 3)};
     add_vertices();
     add_edges();
-    for (int f = 0; f < t_mesh.number_of_faces(); ++f) {
+    for (int f = 0; f < t_mesh.number_of_faces() && progress.go_on_after(work(f)); ++f) {
       add_face(f);
       m_faces.resize(m_triangles.size(), f);
     }
@@ -55,7 +67,7 @@ public:
   const std::vector<int>& faces() const { return m_faces; }
 
 private:
-  // A point of a strip: where it is along the side, in n-ths of the side.
+  // A point of a strip: where it is along the side, in parts of the side.
   struct Strip_point {
     double x;
     Index index;
@@ -129,7 +141,8 @@ private:
       for (const int h : {2 * e, 2 * e + 1})
         if (!m_t_mesh.is_border(h)) {
           const FT side = m_t_mesh.side_length(m_t_mesh.face(h), m_t_mesh.side(h));
-          const double parts = m_n * CGAL::to_double(FT(m_t_mesh.knot(h) / side));
+          const double parts =
+              divisions_of_side(m_t_mesh.face(h), m_t_mesh.side(h)) * CGAL::to_double(FT(m_t_mesh.knot(h) / side));
           m_parts[e] = (std::max)(m_parts[e], static_cast<int>(std::ceil(parts - 1e-6)));
         }
       m_parts[e] = (std::max)(m_parts[e], 1);
@@ -158,21 +171,23 @@ private:
   {
     // Columns from left to right, rows from bottom to top.
     const Index first = m_places.size();
-    for (int j = 1; j < m_n; ++j)
-      for (int i = 1; i < m_n; ++i)
-        add(f, FT(m_t_mesh.width(f) * FT(i) / FT(m_n)), FT(m_t_mesh.height(f) * FT(j) / FT(m_n)));
-    const auto inner = [&](const int i, const int j) { return first + (m_n - 1) * (j - 1) + (i - 1); };
-    for (int j = 1; j + 1 < m_n; ++j)
-      for (int i = 1; i + 1 < m_n; ++i) {
+    const int m = m_divisions[f][0], n = m_divisions[f][1];
+    for (int j = 1; j < n; ++j)
+      for (int i = 1; i < m; ++i)
+        add(f, FT(m_t_mesh.width(f) * FT(i) / FT(m)), FT(m_t_mesh.height(f) * FT(j) / FT(n)));
+    const auto inner = [&](const int i, const int j) { return first + (m - 1) * (j - 1) + (i - 1); };
+    for (int j = 1; j + 1 < n; ++j)
+      for (int i = 1; i + 1 < m; ++i) {
         m_triangles.push_back({inner(i, j), inner(i + 1, j), inner(i + 1, j + 1)});
         m_triangles.push_back({inner(i, j), inner(i + 1, j + 1), inner(i, j + 1)});
       }
     for (int side = 0; side < 4; ++side) {
       m_inner.clear();
-      for (int k = 1; k < m_n; ++k) {
-        const std::array<Index, 4> index{inner(k, 1), inner(m_n - 1, k), inner(m_n - k, m_n - 1), inner(1, m_n - k)};
-        m_inner.push_back({static_cast<double>(k), index[side]});
-      }
+      for (int k = 1; k < divisions_of_side(f, side); ++k)
+        m_inner.push_back({static_cast<double>(k), side == 0   ? inner(k, 1)
+                                                   : side == 1 ? inner(m - 1, k)
+                                                   : side == 2 ? inner(m - k, n - 1)
+                                                               : inner(1, n - k)});
       find_outer(f, side);
       zip();
     }
@@ -181,16 +196,17 @@ private:
   void find_outer(const int f, const int side)
   {
     m_outer.clear();
-    const double size = CGAL::to_double(m_t_mesh.side_length(f, side));
+    const double size = CGAL::to_double(m_t_mesh.side_length(f, side)), parts = divisions_of_side(f, side);
     for (int h = m_t_mesh.first_of_side(f, side);; h = m_t_mesh.next(h)) {
       m_points.clear();
       append(h, m_points);
       const double begin = CGAL::to_double(m_t_mesh.begin(h)), knot = CGAL::to_double(m_t_mesh.knot(h));
       for (std::size_t i = 0; i < m_points.size(); ++i)
         m_outer.push_back(
-            {m_n * (begin + knot * static_cast<double>(i) / static_cast<double>(m_points.size())) / size, m_points[i]});
+            {parts * (begin + knot * static_cast<double>(i) / static_cast<double>(m_points.size())) / size,
+             m_points[i]});
       if (m_t_mesh.is_corner(h)) {
-        m_outer.push_back({static_cast<double>(m_n), m_vertex[m_t_mesh.target(h)]});
+        m_outer.push_back({parts, m_vertex[m_t_mesh.target(h)]});
         return;
       }
     }
@@ -215,8 +231,14 @@ private:
     }
   }
 
+  std::size_t work(const int f) const
+  {
+    return static_cast<std::size_t>(m_divisions[f][0]) * static_cast<std::size_t>(m_divisions[f][1]);
+  }
+  int divisions_of_side(const int f, const int side) const { return m_divisions[f][side % 2]; }
+
   const Arrays& m_t_mesh;
-  int m_n;
+  std::vector<Divisions> m_divisions; // per face
   std::vector<Place> m_places;
   std::vector<std::array<Index, 3>> m_triangles;
   std::vector<int> m_faces;             // per triangle

@@ -5,11 +5,13 @@
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_FITTING_SYSTEM_H
 
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
+#include <CGAL/T_splines/Solver/internal/Interruptible_preconditioner.h>
 #include <CGAL/T_splines/Solver/preconditioned_conjugate_gradients.h>
 #include <CGAL/T_splines/Spline/internal/Face_functions.h>
 #include <CGAL/T_splines/Spline/internal/T_spline_basis.h>
 #include <CGAL/T_splines/Spline/internal/Thin_plate_energy.h>
 #include <CGAL/T_splines/T_mesh/internal/T_mesh_arrays.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <Eigen/Core>
 
@@ -82,8 +84,10 @@ class Fitting_system {
 public:
   /// \param basis must outlive the system
   /// \param weights of the vertices, likewise
-  Fitting_system(const Basis& basis, const std::vector<FT>& weights)
+  /// \param progress likewise; if it is interrupted, the numbers mean nothing
+  Fitting_system(const Basis& basis, const std::vector<FT>& weights, Progress& progress)
     : m_basis(basis),
+      m_progress(progress),
       m_functions(basis, weights),
       m_number_of_vertices(static_cast<int>(weights.size()))
   {
@@ -97,7 +101,7 @@ public:
     m_fairness.assign(m_matrix.row.size(), FT(0));
     Thin_plate_energy<FT> energy(m_basis);
     Dense scaled;
-    for (int f = 0; f < m_basis.t_mesh().number_of_faces(); ++f) {
+    for (int f = 0; f < m_basis.t_mesh().number_of_faces() && m_progress.go_on_after(work_per_face); ++f) {
       m_functions.enter(f);
       scaled = energy.matrix(m_functions) * (stiffness[f] / face_areas[f]);
       add(scaled, m_fairness);
@@ -119,6 +123,8 @@ public:
         ++end;
       m_functions.enter(face);
       add_block(samples, begin, end);
+      if (!m_progress.go_on_after(work_per_face))
+        return;
     }
     set_points(samples);
   }
@@ -136,6 +142,8 @@ public:
         for (int k = 0; k < 3; ++k)
           m_points(c, k) = sample.weight * sample.point[k];
       }
+      if (!m_progress.go_on_after(work_per_product))
+        return;
       m_product.noalias() = block.functions * m_points;
       for (Eigen::Index r = 0; r < m_product.rows(); ++r)
         for (int k = 0; k < 3; ++k)
@@ -152,6 +160,8 @@ public:
       for (Eigen::Index r = 0; r < block.functions.rows(); ++r)
         for (int k = 0; k < 3; ++k)
           m_points(r, k) = control_points[block.vertices[r]][k];
+      if (!m_progress.go_on_after(work_per_product))
+        return;
       m_product.noalias() = block.functions.transpose() * m_points;
       for (Eigen::Index c = 0; c < m_product.rows(); ++c)
         for (int k = 0; k < 3; ++k)
@@ -160,14 +170,15 @@ public:
   }
 
   /// Solves for the control points by a factorization.
-  /// \return false if the solver fails: the matrix is singular to working precision
+  /// \return false if the solver fails: the matrix is singular to working precision; or if the progress is interrupted
   template <typename SolverTraits>
   bool solve(SolverTraits& solver, std::vector<std::array<FT, 3>>& points)
   {
     set_matrix();
     find_scale();
     scale_matrix();
-    const bool is_factorized = (m_is_analyzed || solver.analyze_pattern(m_matrix)) && solver.factorize(m_matrix);
+    const bool is_factorized = m_progress.go_on() && (m_is_analyzed || solver.analyze_pattern(m_matrix)) &&
+                               m_progress.go_on() && solver.factorize(m_matrix);
     m_is_analyzed = true;
     return is_factorized && solve_for_points(solver, points);
   }
@@ -178,7 +189,7 @@ public:
   {
     points.resize(m_number_of_vertices);
     for (int k = 0; k < 3; ++k) {
-      if (!solver.solve(scaled_right_hand_side(k), m_solution))
+      if (!m_progress.go_on() || !solver.solve(scaled_right_hand_side(k), m_solution))
         return false;
       for (int v = 0; v < m_number_of_vertices; ++v)
         points[v][k] = m_solution[v] * m_scale[v];
@@ -208,7 +219,10 @@ public:
       if (rest <= tolerance * norm)
         continue;
       const int iterations = preconditioned_conjugate_gradients(
-          m_matrix, solver, right, m_solution, FT(tolerance * norm / rest), largest_number_of_iterations, m_workspace);
+          m_matrix, Interruptible_preconditioner<SolverTraits>(solver, m_progress), right, m_solution,
+          FT(tolerance * norm / rest), largest_number_of_iterations, m_workspace);
+      if (m_progress.is_interrupted())
+        return false;
       if (iterations == largest_number_of_iterations)
         return solve(solver, points);
       for (int v = 0; v < m_number_of_vertices; ++v)
@@ -218,6 +232,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t work_per_face = 200, work_per_product = 20;
+
   void set_matrix()
   {
     for (std::size_t i = 0; i < m_matrix.value.size(); ++i)
@@ -259,7 +275,7 @@ private:
     std::vector<std::vector<int>> rows(m_number_of_vertices);
     for (int v = 0; v < m_number_of_vertices; ++v)
       rows[v].push_back(v);
-    for (int f = 0; f < m_basis.t_mesh().number_of_faces(); ++f) {
+    for (int f = 0; f < m_basis.t_mesh().number_of_faces() && m_progress.go_on_after(10); ++f) {
       m_functions.enter(f);
       const std::vector<int>& vertices = m_functions.vertices();
       for (std::size_t j = 0; j < vertices.size(); ++j)
@@ -320,6 +336,7 @@ private:
   }
 
   const Basis& m_basis;
+  Progress& m_progress;
   Face_functions<FT> m_functions;
   int m_number_of_vertices;
   Matrix m_matrix;

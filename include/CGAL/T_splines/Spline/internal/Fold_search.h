@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/Spline/internal/Normal_hull.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,10 +71,13 @@ public:
   }
 
   /// Looks at all patches, after some samples of each were visited.
-  void search()
+  /// \param progress if it is interrupted, what was found means nothing
+  void search(Progress& progress)
   {
     constexpr double far_turned = 0.5;
-    for (std::size_t i = 0; i < m_surface.number_of_patches(); ++i) {
+    const std::size_t n = m_surface.number_of_patches();
+    for (std::size_t i = 0; i < n && progress.go_on_after(1000); ++i) {
+      progress.progress(static_cast<double>(i) / static_cast<double>(n));
       if (m_cosines[i] > 0 && is_certified(m_surface.patch(i), m_triangles[i], largest_depth))
         ++m_number_of_certified;
       else {

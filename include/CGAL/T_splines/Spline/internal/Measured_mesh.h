@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Spline/internal/Mesh_normals.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <utility>
 
@@ -16,7 +17,13 @@ namespace internal {
 
 /// A mesh that surfaces are measured against, with what the measurements need of it.
 struct Measured_mesh {
-  explicit Measured_mesh(Triangle_set set) : triangles(std::move(set)), tree(triangles), normals(triangles) {}
+  /// \param progress if it is interrupted, nothing may be measured
+  Measured_mesh(Triangle_set set, Progress& progress)
+    : triangles(std::move(set)),
+      tree(triangles, progress),
+      normals(triangles)
+  {
+  }
   Measured_mesh(const Measured_mesh&) = delete; // the normals refer to the triangles
   Measured_mesh& operator=(const Measured_mesh&) = delete;
 

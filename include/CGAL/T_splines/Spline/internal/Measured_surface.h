@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/Spline/internal/Parameter_correction.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -54,14 +55,17 @@ public:
     std::size_t triangle = 0; ///< of the triangulation, near by
   };
 
-  explicit Measured_surface(const Compiled& compiled) : m_compiled(compiled), m_chord_errors(compiled.t_mesh_arrays())
+  /// \param progress if it is interrupted, patches are missing
+  Measured_surface(const Compiled& compiled, Progress& progress)
+    : m_compiled(compiled),
+      m_chord_errors(compiled.t_mesh_arrays())
   {
     const std::size_t n = compiled.number_of_patches();
     m_patches.reserve(n);
     m_domains.reserve(n);
     m_bounds.reserve(n);
     m_sizes.reserve(n);
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t i = 0; i < n && progress.go_on_after(20); ++i)
       add_patch(i);
   }
 
@@ -87,15 +91,20 @@ public:
     });
   }
 
-  /// Prepares the searches.
-  void prepare()
+  /// Prepares the searches. \return false if `progress` is interrupted
+  bool prepare(Progress& progress)
   {
     constexpr double number_of_triangles = 200000;
     const double parts = std::sqrt(number_of_triangles / (2 * static_cast<double>(number_of_patches())));
     m_parts = static_cast<int>(std::clamp(parts, 2., 64.));
     const Triangle_set set = triangulation();
-    m_tree = std::make_unique<const Triangle_tree>(set);
+    if (!progress.go_on())
+      return false;
+    m_tree = std::make_unique<const Triangle_tree>(set, progress);
+    if (!progress.go_on())
+      return false;
     m_closest = std::make_unique<const T_spline_closest_point<Compiled>>(m_compiled);
+    return progress.go_on();
   }
 
   /// A point of the surface that is close to p: from the closest point of a triangulation some Gauss-Newton steps

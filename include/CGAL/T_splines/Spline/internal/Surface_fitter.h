@@ -16,6 +16,7 @@
 #include <CGAL/T_splines/Spline/internal/Surface_sampling.h>
 #include <CGAL/T_splines/Spline/internal/Surface_walk.h>
 #include <CGAL/T_splines/T_mesh/Carried_surface.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>
@@ -67,11 +68,14 @@ public:
 
   /// \param carried, walk must outlive this; the walk is over the points and triangles of the carried surface
   /// \param stiffness of the faces, by index: by what factor the fairness is larger in them
-  Surface_fitter(const TMesh& t_mesh, const Carried& carried, const Surface_walk& walk, std::vector<double> stiffness)
+  /// \param progress it must outlive this; if it is interrupted before the fit, the surface is not valid
+  Surface_fitter(const TMesh& t_mesh, const Carried& carried, const Surface_walk& walk, std::vector<double> stiffness,
+                 Progress& progress)
     : m_fitted(t_mesh, CGAL::Constant_property_map<typename Surface::vertex_descriptor, FT>(FT(1)),
-               CGAL::parameters::default_values()),
+               CGAL::parameters::visitor(Part_visitor(progress))),
       m_carried(carried),
       m_walk(walk),
+      m_progress(progress),
       m_stiffness(std::move(stiffness))
   {
   }
@@ -83,17 +87,30 @@ public:
   /// \param number_of_corrections how often the points aimed at are moved, at most
   /// \param start a surface that is already near: the points that are aimed at first are those closest to it; or null
   /// \return false if the solver fails, or the visitor stops the work: then the report says so
-  template <typename SolverTraits, typename Visitor>
+  template <typename SolverTraits>
   bool fit(const Start* start, const double tolerance, const double fairness, const int number_of_corrections,
-           SolverTraits& solver, const Visitor& visitor, T_spline_fit_report<Graph>& report)
+           SolverTraits& solver, T_spline_fit_report<Graph>& report)
+  {
+    const bool is_fitted = fit_and_measure(start, tolerance, fairness, number_of_corrections, solver, report);
+    if (m_progress.is_interrupted())
+      report.status = T_spline_fit_status::INTERRUPTED;
+    return is_fitted && !m_progress.is_interrupted();
+  }
+
+private:
+  template <typename SolverTraits>
+  bool fit_and_measure(const Start* start, const double tolerance, const double fairness,
+                       const int number_of_corrections, SolverTraits& solver, T_spline_fit_report<Graph>& report)
   {
     take_samples();
+    if (!m_progress.go_on())
+      return false;
     if (!has_samples()) {
       report.status = T_spline_fit_status::NO_SAMPLES;
       return false;
     }
     const std::vector<FT> weights = m_fitted.weights();
-    Fitting_system<FT> system(m_fitted.surface().basis(), weights);
+    Fitting_system<FT> system(m_fitted.surface().basis(), weights, m_progress);
     std::vector<Sample> aims = fitting_samples();
     if (start != nullptr)
       aim_from(*start, aims);
@@ -104,7 +121,7 @@ public:
       set_fairness(fairness, system);
     // A surface that begins near needs fewer.
     const int most = start == nullptr ? number_of_corrections : (number_of_corrections + 3) / 4;
-    if (!iterate(most, system, aims, solver, visitor, report))
+    if (!m_progress.go_on() || !iterate(most, system, aims, solver, report) || !m_progress.go_on())
       return false;
     report.status = T_spline_fit_status::FITTED;
     m_fitted.set_control_points(m_control_points);
@@ -113,14 +130,13 @@ public:
     return true;
   }
 
-private:
   void take_samples()
   {
     constexpr int fewest_per_cell = 3;     // in each direction
     constexpr double smallest_turn = 0.35; // in radians, of the normal at an edge: less does not show in a cell
     constexpr double edge_points_per_cell = 2;
     const Surface& surface = m_fitted.surface();
-    Surface_sampling<Graph, FT> sampling(surface.basis(), surface.indexing(), m_carried, m_walk);
+    Surface_sampling<Graph, FT> sampling(surface.basis(), surface.indexing(), m_carried, m_walk, m_progress);
     m_cells = sampling.cells(fewest_per_cell);
     m_edges = sampling.sharp_edges(smallest_turn, edge_points_per_cell);
     m_corners = sampling.corners();
@@ -141,8 +157,10 @@ private:
   {
     m_points.clear();
     for (const Carried_sample& s : m_cells)
-      m_points.push_back(relative(start.position(s.triangle, s.barycentric[0], s.barycentric[1])));
-    move_aims(aims);
+      if (m_progress.go_on_after(10))
+        m_points.push_back(relative(start.position(s.triangle, s.barycentric[0], s.barycentric[1])));
+    if (!m_progress.is_interrupted())
+      move_aims(aims);
   }
 
   // In every face: otherwise the surface does not cover the T-mesh.
@@ -181,9 +199,9 @@ private:
     return result;
   }
 
-  template <typename SolverTraits, typename Visitor>
+  template <typename SolverTraits>
   bool iterate(const int number_of_corrections, Fitting_system<FT>& system, std::vector<Sample>& aims,
-               SolverTraits& solver, const Visitor& visitor, T_spline_fit_report<Graph>& report)
+               SolverTraits& solver, T_spline_fit_report<Graph>& report)
   {
     report.number_of_corrections = 0;
     report.status = T_spline_fit_status::UNDERDETERMINED;
@@ -199,11 +217,9 @@ private:
     constexpr double negligible = 0.995;
     Anderson_acceleration<FT> acceleration;
     while (report.number_of_corrections < number_of_corrections) {
-      visitor.progress(static_cast<double>(report.number_of_corrections) / number_of_corrections);
-      if (!visitor.go_on()) {
-        report.status = T_spline_fit_status::INTERRUPTED;
+      m_progress.progress(static_cast<double>(report.number_of_corrections) / number_of_corrections);
+      if (!m_progress.go_on())
         return false;
-      }
       ++report.number_of_corrections;
       const std::vector<std::array<FT, 3>> last = m_control_points;
       system.set_points(aims);
@@ -262,12 +278,12 @@ private:
 
   // The samples of the cells aim at the points of the mesh that are closest to the surface there. Where that is farther
   // than a cell from where the map has them, they aim at the mesh next to the point that far on the way.
-  // Returns the root mean square of the distances.
+  // Returns the root mean square of the distances. If the progress is interrupted, feet are missing.
   double move_aims(std::vector<Sample>& aims)
   {
     double sum = 0, area = 0;
     m_feet.clear();
-    for (std::size_t i = 0; i < m_cells.size(); ++i) {
+    for (std::size_t i = 0; i < m_cells.size() && m_progress.go_on_after(10); ++i) {
       const Carried_sample& sample = m_cells[i];
       const Point_3 q = absolute(m_points[i]);
       m_feet.push_back(m_walk.closest(q, m_triangles[i]));
@@ -288,9 +304,11 @@ private:
   void measure(const double tolerance, T_spline_fit_report<Graph>& report)
   {
     m_faces.assign(m_fitted.surface().t_mesh_arrays().number_of_faces(), Face_fit());
-    const Compiled compiled = compile_T_spline(m_fitted.surface());
+    const Compiled compiled = compile_T_spline(m_fitted.surface(), CGAL::parameters::visitor(Part_visitor(m_progress)));
+    if (compiled.status() == T_spline_compilation_status::INTERRUPTED)
+      return;
     const auto& indexing = m_fitted.surface().indexing();
-    for (std::size_t i = 0; i < m_cells.size(); ++i) {
+    for (std::size_t i = 0; i < m_cells.size() && m_progress.go_on_after(10); ++i) {
       const Carried_sample& s = m_cells[i];
       Face_fit& face = m_faces[s.face];
       const auto n = compiled.unit_normal(indexing.face(s.face), FT(s.u), FT(s.v));
@@ -324,6 +342,9 @@ private:
       return std::sqrt(CGAL::squared_distance(absolute({p.x(), p.y(), p.z()}), absolute(sample.point)));
     };
     const auto measure_sample = [&](const Carried_sample& s) {
+      constexpr std::size_t work = 50;
+      if (!m_progress.go_on_after(work))
+        return;
       Sample sample{s.face, FT(s.u), FT(s.v), relative(s.point), FT(0)};
       double distance = corrected_distance(sample);
       if (distance > tolerance) {
@@ -378,6 +399,7 @@ private:
   Fitted m_fitted;
   const Carried& m_carried;
   const Surface_walk& m_walk;
+  Progress& m_progress;
   std::vector<double> m_stiffness; // of the faces
   CGAL::Bbox_3 m_box;
   double m_mean_area = 0; // of a sample of the cells

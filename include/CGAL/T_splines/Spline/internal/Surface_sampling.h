@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Spline/internal/T_spline_basis.h>
 #include <CGAL/T_splines/T_mesh/Carried_surface.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <algorithm>
 #include <array>
@@ -42,12 +43,14 @@ class Surface_sampling {
   using Point_3 = Surface_walk::Point_3;
 
 public:
+  /// \param progress it must outlive this; if it is interrupted, samples are missing
   Surface_sampling(const T_spline_basis<FT>& basis, const Mesh_indexing<Graph>& indexing, const Surface& surface,
-                   const Surface_walk& walk)
+                   const Surface_walk& walk, Progress& progress)
     : m_basis(basis),
       m_indexing(indexing),
       m_surface(surface),
-      m_walk(walk)
+      m_walk(walk),
+      m_progress(progress)
   {
   }
 
@@ -56,8 +59,9 @@ public:
   std::vector<Carried_sample> cells(const int fewest)
   {
     std::vector<Carried_sample> samples;
-    for (int f = 0; f < m_basis.t_mesh().number_of_faces(); ++f) {
+    for (int f = 0; f < m_basis.t_mesh().number_of_faces() && m_progress.go_on_after(work_per_face); ++f) {
       enter(f);
+      m_progress.go_on_after(work_per_image * images().size());
       const double triangles_per_cell = static_cast<double>(images().size()) / number_of_cells();
       const int n = std::clamp(static_cast<int>(std::lround(std::sqrt(triangles_per_cell / 2))), fewest, 2 * fewest);
       add_grid(n, samples);
@@ -70,8 +74,9 @@ public:
   {
     std::vector<Carried_sample> samples;
     std::vector<char> is_taken(m_surface.points().size(), 0);
-    for (int f = 0; f < m_basis.t_mesh().number_of_faces(); ++f) {
+    for (int f = 0; f < m_basis.t_mesh().number_of_faces() && m_progress.go_on_after(work_per_face); ++f) {
       enter(f);
+      m_progress.go_on_after(work_per_image * images().size());
       const double eps_u = 1e-9 * m_width, eps_v = 1e-9 * m_height;
       for (const Image& image : images())
         for (int i = 0; i < 3; ++i) {
@@ -93,8 +98,9 @@ public:
   {
     const double cosine = std::cos(largest_turn);
     std::vector<Carried_sample> samples;
-    for (int f = 0; f < m_basis.t_mesh().number_of_faces(); ++f) {
+    for (int f = 0; f < m_basis.t_mesh().number_of_faces() && m_progress.go_on_after(work_per_face); ++f) {
       enter(f);
+      m_progress.go_on_after(work_per_image * images().size());
       for (const Image& image : images())
         for (std::size_t i = 0; i < 3; ++i) {
           const std::size_t other = m_walk.across(image.triangle, i);
@@ -106,6 +112,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t work_per_face = 20, work_per_image = 2;
+
   void enter(const int f)
   {
     m_face = f;
@@ -282,6 +290,7 @@ private:
   const Mesh_indexing<Graph>& m_indexing;
   const Surface& m_surface;
   const Surface_walk& m_walk;
+  Progress& m_progress;
   int m_face = 0;
   double m_width = 0, m_height = 0, m_mean_area_of_unit = 0;
   std::vector<FT> m_u, m_v; // the cuts of the cells

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_stars.h>
 #include <CGAL/T_splines/Spline/internal/closest_of_triangle.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -41,19 +42,20 @@ public:
   };
 
   /// \param points, triangles must outlive this
-  Surface_walk(const std::vector<Point_3>& points, const std::vector<Triangle>& triangles)
+  /// \param progress if it is interrupted, this must not be used
+  Surface_walk(const std::vector<Point_3>& points, const std::vector<Triangle>& triangles, Progress& progress)
     : m_points(points),
       m_triangles(triangles),
       m_stars(points.size(), triangles)
   {
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (std::size_t i = 0; i < triangles.size() && progress.go_on_after(2); ++i) {
       const Triangle& t = triangles[i];
       m_corners.emplace_back(points[t[0]], points[t[1]], points[t[2]]);
       const Vector_3 n = normal(i);
       const double length = std::sqrt(n.squared_length());
       m_unit_normals.push_back(length > 0 ? n / length : Vector_3(0, 0, 0));
     }
-    for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (std::size_t i = 0; i < triangles.size() && progress.go_on_after(4); ++i)
       m_across.push_back({find_across(i, 0), find_across(i, 1), find_across(i, 2)});
   }
 

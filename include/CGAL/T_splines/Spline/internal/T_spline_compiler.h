@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/Spline/internal/Homogeneous_vector.h>
 #include <CGAL/T_splines/Spline/internal/T_spline_basis.h>
 #include <CGAL/T_splines/Spline/internal/Vertex_cap.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -44,8 +45,10 @@ class T_spline_compiler {
 public:
   explicit T_spline_compiler(const Surface& surface) : m_surface(surface), m_basis(surface.basis()) {}
 
-  Compiled compile(const int number_of_rings)
+  Compiled compile(const int number_of_rings, Progress& progress)
   {
+    constexpr std::size_t work_per_face = 50, work_per_cone_face = 2000;
+    progress.go_on();
     Compiled result;
     result.m_indexing = m_surface.shared_indexing();
     result.m_t_mesh = std::shared_ptr<const T_mesh_arrays<FT>>(m_surface.shared_basis(), &m_basis.t_mesh());
@@ -55,7 +58,15 @@ public:
     result.m_patches.reserve(n);
     result.m_rectangles.reserve(n);
     for (int f = 0; f < n; ++f) {
-      if (m_basis.cone_face_of(f) >= 0)
+      const bool is_cone_face = m_basis.cone_face_of(f) >= 0;
+      if (f % 64 == 0)
+        progress.progress(static_cast<double>(f) / n);
+      if (!progress.go_on_after(is_cone_face ? work_per_cone_face : work_per_face)) {
+        Compiled nothing;
+        nothing.m_status = T_spline_compilation_status::INTERRUPTED;
+        return nothing;
+      }
+      if (is_cone_face)
         compile_cone_face(m_basis.cone_faces()[m_basis.cone_face_of(f)], result);
       else
         compile_face(f, result);

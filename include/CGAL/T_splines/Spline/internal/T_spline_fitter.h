@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Spline/internal/Fitted_surface.h>
 #include <CGAL/T_splines/Spline/internal/Fitting_system.h>
 #include <CGAL/T_splines/Spline/internal/Parameter_correction.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/squared_distance_3.h>
 
@@ -58,9 +59,11 @@ public:
   using Sample = Fitting_sample<FT>;
 
   /// \param weights vertex -> positive number
+  /// \param progress it must outlive this; if it is interrupted before the fit, the surface is not valid
   template <typename VertexWeightMap, typename NamedParameters>
-  T_spline_fitter(const TMesh& t_mesh, const VertexWeightMap weights, const NamedParameters& np)
-    : m_fitted(t_mesh, weights, np)
+  T_spline_fitter(const TMesh& t_mesh, const VertexWeightMap weights, const NamedParameters& np, Progress& progress)
+    : m_fitted(t_mesh, weights, np.visitor(Part_visitor(progress))),
+      m_progress(progress)
   {
   }
 
@@ -69,9 +72,19 @@ public:
   /// Fits; then moves the samples and fits again, up to `number_of_corrections` times, as long as the root mean square
   /// falls by at least a fiftieth. Members of the report that do not concern the surface are set.
   /// \param samples not empty; moved. Their points are relative to the origin afterwards
-  template <typename SolverTraits, typename Visitor>
+  template <typename SolverTraits>
   void fit(std::vector<Sample>& samples, const FT& fairness, const int number_of_corrections, SolverTraits& solver,
-           const Visitor& visitor, T_spline_fit_report<Graph>& report)
+           T_spline_fit_report<Graph>& report)
+  {
+    fit_and_move(samples, fairness, number_of_corrections, solver, report);
+    if (m_progress.is_interrupted())
+      report.status = T_spline_fit_status::INTERRUPTED;
+  }
+
+private:
+  template <typename SolverTraits>
+  void fit_and_move(std::vector<Sample>& samples, const FT& fairness, const int number_of_corrections,
+                    SolverTraits& solver, T_spline_fit_report<Graph>& report)
   {
     const Sample_box<FT> box(samples);
     m_fitted.set_origin({box.center(0), box.center(1), box.center(2)});
@@ -83,7 +96,7 @@ public:
     report.number_of_samples = samples.size();
 
     const std::vector<FT> weights = m_fitted.weights();
-    Fitting_system<FT> system(m_fitted.surface().basis(), weights);
+    Fitting_system<FT> system(m_fitted.surface().basis(), weights, m_progress);
     if (fairness > FT(0))
       set_fairness(samples, fairness, system);
     system.set_samples(samples);
@@ -96,17 +109,14 @@ public:
     measure(samples, report);
     report.first_error = report.error;
     while (report.number_of_corrections < number_of_corrections && report.error.rms > 0) {
-      visitor.progress(static_cast<double>(report.number_of_corrections) / number_of_corrections);
-      if (!visitor.go_on()) {
-        report.status = T_spline_fit_status::INTERRUPTED;
+      m_progress.progress(static_cast<double>(report.number_of_corrections) / number_of_corrections);
+      if (!m_progress.go_on())
         return;
-      }
       if (!correct(system, samples, solver, points, report))
         return;
     }
   }
 
-private:
   void set_fairness(const std::vector<Sample>& samples, const FT& fairness, Fitting_system<FT>& system) const
   {
     FT area(0), number(0);
@@ -132,10 +142,15 @@ private:
     const std::vector<FT> old_distances = m_squared_distances;
     const T_spline_fit_report<Graph> old_report = report;
     const std::vector<std::array<FT, 3>> old_points = points;
-    const Compiled compiled = compile_T_spline(m_fitted.surface());
+    const Compiled compiled = compile_T_spline(m_fitted.surface(), CGAL::parameters::visitor(Part_visitor(m_progress)));
+    if (compiled.status() == T_spline_compilation_status::INTERRUPTED)
+      return false;
     const Parameter_correction<Compiled> correction(compiled, m_fitted.surface().basis());
-    for (Sample& sample : samples)
+    for (Sample& sample : samples) {
+      if (!m_progress.go_on_after(50))
+        return false;
       correction(sample);
+    }
     system.set_samples(samples);
     const bool is_solved = system.solve_again(solver, points);
     if (is_solved) {
@@ -159,6 +174,7 @@ private:
     m_squared_distances.clear();
     FT sum(0), weight(0);
     for (const Sample& sample : samples) {
+      m_progress.go_on_after(10);
       const Point_3 p = surface.position(surface.indexing().face(sample.face), sample.u, sample.v);
       m_squared_distances.push_back(
           CGAL::squared_distance(p, Point_3(sample.point[0], sample.point[1], sample.point[2])));
@@ -172,6 +188,7 @@ private:
   }
 
   Fitted m_fitted;
+  Progress& m_progress;
   std::vector<FT> m_squared_distances;
 };
 

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Spline/internal/Box_tree.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/Spline/internal/closest_of_triangle.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <cmath>
 #include <cstddef>
@@ -34,6 +35,13 @@ public:
 
   explicit Triangle_tree(const Triangle_set& set)
   {
+    Progress nobody;
+    *this = Triangle_tree(set, nobody);
+  }
+
+  /// \param progress if it is interrupted, triangles are missing
+  Triangle_tree(const Triangle_set& set, Progress& progress)
+  {
     std::vector<Axis_parallel_box<double>> boxes(set.triangles.size());
     m_triangles.reserve(set.triangles.size());
     for (std::size_t i = 0; i < set.triangles.size(); ++i) {
@@ -41,7 +49,7 @@ public:
       for (int k = 0; k < 3; ++k)
         boxes[i].extend({m_triangles[i][k].x(), m_triangles[i][k].y(), m_triangles[i][k].z()});
     }
-    m_tree = Box_tree<double>(boxes);
+    m_tree = Box_tree<double>(boxes, progress);
   }
 
   const Triangle_3& triangle(const std::size_t i) const { return m_triangles[i]; }

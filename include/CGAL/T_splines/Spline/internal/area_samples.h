@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_AREA_SAMPLES_H
 
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -33,11 +34,12 @@ inline double length_of_longest_side(const Triangle_set::Triangle_3& t)
 
 /// The size of parts that makes about so many samples at most, if all triangles with longer sides are bisected.
 /// \param size the smallest size wanted, positive
-inline double affordable_size(const Triangle_set& set, double size, const double number_of_samples)
+/// \param progress if it is interrupted, there are more
+inline double affordable_size(const Triangle_set& set, double size, const double number_of_samples, Progress& progress)
 {
   for (;; size *= 1.25) {
     double number = 0;
-    for (std::size_t i = 0; i < set.triangles.size(); ++i) {
+    for (std::size_t i = 0; i < set.triangles.size() && progress.go_on_after(2); ++i) {
       const Triangle_set::Triangle_3 t = set.triangle(i);
       const double length = length_of_longest_side(t) / size;
       // A part has a longest side of half the size or more and, unless the triangle is a needle, half that height. A

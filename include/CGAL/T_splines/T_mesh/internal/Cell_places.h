@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/T_mesh/internal/Motorcycle_traces.h>
 #include <CGAL/T_splines/T_mesh/internal/Trace_arcs.h>
 #include <CGAL/T_splines/T_mesh/internal/Vertex_stars.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <algorithm>
 #include <array>
@@ -50,8 +51,9 @@ public:
     int halfedge = none; ///< with the vertex as target; its face has the chart of the frame
   };
 
+  /// \param progress if it is interrupted, places are missing
   Cell_places(const Layout& layout, const Stars& stars, const Traces& traces, const Arcs& arcs, const Cells& cells,
-              const TracingTraits& traits)
+              const TracingTraits& traits, Progress& progress)
     : m_layout(layout),
       m_mesh(layout.mesh()),
       m_stars(stars),
@@ -62,11 +64,11 @@ public:
       m_places(layout.mesh().number_of_vertices()),
       m_frames_beside(2 * arcs.number_of_segments(), none)
   {
-    place_vertices_of_traces();
-    for (int e = 0; e < m_mesh.number_of_edges(); ++e)
+    place_vertices_of_traces(progress);
+    for (int e = 0; e < m_mesh.number_of_edges() && progress.go_on_after(2); ++e)
       if (traces.first_crossing_of_edge[e] != none)
         place_ends_of_crossed_edge(e);
-    for (std::size_t i = 0; i < m_queue.size(); ++i)
+    for (std::size_t i = 0; i < m_queue.size() && progress.go_on_after(10); ++i)
       place_neighbors(m_queue[i]);
   }
 
@@ -132,9 +134,9 @@ private:
 
   // --- vertices on traces, and their neighbors
 
-  void place_vertices_of_traces()
+  void place_vertices_of_traces(Progress& progress)
   {
-    for (int s = 0; s < m_stars.number_of_stars(); ++s) {
+    for (int s = 0; s < m_stars.number_of_stars() && progress.go_on_after(100); ++s) {
       const int v = m_stars.star(s).vertex, node = Traces::star_node(s), n = m_arcs.number_of_slots(node);
       std::vector<int> frames(n, none);
       for (int slot = 0; slot < n; ++slot)

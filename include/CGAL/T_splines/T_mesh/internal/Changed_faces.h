@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_T_MESH_INTERNAL_CHANGED_FACES_H
 #define CGAL_T_SPLINES_T_MESH_INTERNAL_CHANGED_FACES_H
 
-#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -21,9 +21,9 @@ class Changed_faces {
 public:
   using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
 
-  class Visitor : public T_mesh_visitor {
+  class Observer : public T_mesh_observer {
   public:
-    explicit Visitor(Changed_faces& faces) : m_faces(&faces) {}
+    explicit Observer(Changed_faces& faces) : m_faces(&faces) {}
 
     template <typename FT>
     void faces_replaced(const std::vector<T_mesh_piece<Graph, FT>>& pieces) const
@@ -38,7 +38,7 @@ public:
     Changed_faces* m_faces;
   };
 
-  Visitor visitor() { return Visitor(*this); }
+  Observer observer() { return Observer(*this); }
 
   /// The faces that are new or have another size or frame, in the order in which they were reported last.
   const std::vector<face_descriptor>& changed() const { return m_changed; }

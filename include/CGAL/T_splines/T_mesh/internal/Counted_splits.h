@@ -5,9 +5,10 @@
 #define CGAL_T_SPLINES_T_MESH_INTERNAL_COUNTED_SPLITS_H
 
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 #include <CGAL/T_splines/T_mesh/internal/Split_position.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <boost/container_hash/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
@@ -29,10 +30,10 @@ class Touched_elements {
   using face_descriptor = typename Traits::face_descriptor;
 
 public:
-  /// A model of `TMeshVisitor`. It refers to the elements.
-  class Visitor : public T_mesh_visitor {
+  /// A model of `TMeshObserver`. It refers to the elements.
+  class Observer : public T_mesh_observer {
   public:
-    explicit Visitor(Touched_elements& elements) : m_elements(&elements) {}
+    explicit Observer(Touched_elements& elements) : m_elements(&elements) {}
 
     void vertex_inserted(const vertex_descriptor v, const halfedge_descriptor h) const
     {
@@ -47,7 +48,7 @@ public:
 
   explicit Touched_elements(const Graph& graph) : m_graph(graph) {}
 
-  Visitor visitor() { return Visitor(*this); }
+  Observer observer() { return Observer(*this); }
 
   const std::vector<vertex_descriptor>& new_vertices() const { return m_vertices; }
   bool is_touched(const face_descriptor f) const { return m_faces.count(f) != 0; }
@@ -72,10 +73,10 @@ private:
 
 /// Splits faces of a T-mesh, a limited number of times, and keeps account.
 /// \tparam TMesh a `T_mesh_view`
-template <typename TMesh, typename Visitor>
+template <typename TMesh, typename Observer>
 class Counted_splits {
   using Editor =
-      T_mesh_editor<TMesh, T_mesh_visitor_pair<typename Touched_elements<typename TMesh::Graph>::Visitor, Visitor>>;
+      T_mesh_editor<TMesh, T_mesh_observer_pair<typename Touched_elements<typename TMesh::Graph>::Observer, Observer>>;
 
 public:
   using Graph = typename TMesh::Graph;
@@ -92,10 +93,12 @@ public:
     bool is_split;
   };
 
-  Counted_splits(const TMesh& t_mesh, const Visitor& visitor, const std::size_t limit)
+  /// \param progress if it is interrupted, no more splits are allowed; it must outlive this
+  Counted_splits(const TMesh& t_mesh, const Observer& observer, const std::size_t limit, Progress& progress)
     : m_t_mesh(t_mesh),
+      m_progress(progress),
       m_touched(t_mesh.graph()),
-      m_editor(t_mesh, {m_touched.visitor(), visitor}),
+      m_editor(t_mesh, {m_touched.observer(), observer}),
       m_limit(limit)
   {
   }
@@ -114,6 +117,7 @@ public:
     if (!edit)
       return {f, f, false};
     ++m_count;
+    m_progress.go_on_after(work_per_split);
     const face_descriptor low = face(edit.halfedge, graph()), high = face(opposite(edit.halfedge, graph()), graph());
     return direction < 2 ? Parts{low, high, true} : Parts{high, low, true};
   }
@@ -124,11 +128,13 @@ public:
     if (is_exhausted() || !m_editor.extend(h))
       return false;
     ++m_count;
+    m_progress.go_on_after(work_per_split);
     return true;
   }
 
   std::size_t count() const { return m_count; }
-  bool is_exhausted() const { return m_count >= m_limit; }
+  bool is_exhausted() const { return m_count >= m_limit || m_progress.is_interrupted(); }
+  Progress& progress() { return m_progress; }
 
   const TMesh& t_mesh() const { return m_t_mesh; }
   const Graph& graph() const { return m_t_mesh.graph(); }
@@ -136,7 +142,10 @@ public:
   Touched_elements<Graph>& touched() { return m_touched; }
 
 private:
+  static constexpr std::size_t work_per_split = 1000;
+
   TMesh m_t_mesh;
+  Progress& m_progress;
   Touched_elements<Graph> m_touched;
   Editor m_editor;
   std::size_t m_limit, m_count = 0;

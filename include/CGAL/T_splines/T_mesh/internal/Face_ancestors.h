@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_T_MESH_INTERNAL_FACE_ANCESTORS_H
 #define CGAL_T_SPLINES_T_MESH_INTERNAL_FACE_ANCESTORS_H
 
-#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 
 #include <boost/container_hash/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
@@ -22,10 +22,10 @@ class Face_ancestors {
 public:
   using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;
 
-  /// A model of `TMeshVisitor`; it refers to the ancestors.
-  class Visitor : public T_mesh_visitor {
+  /// A model of `TMeshObserver`; it refers to the ancestors.
+  class Observer : public T_mesh_observer {
   public:
-    explicit Visitor(Face_ancestors& ancestors) : m_ancestors(&ancestors) {}
+    explicit Observer(Face_ancestors& ancestors) : m_ancestors(&ancestors) {}
 
     template <typename FT>
     void faces_replaced(const std::vector<T_mesh_piece<Graph, FT>>& pieces) const
@@ -41,7 +41,7 @@ public:
     Face_ancestors* m_ancestors;
   };
 
-  Visitor visitor() { return Visitor(*this); }
+  Observer observer() { return Observer(*this); }
 
   /// The face itself if it was there from the beginning.
   face_descriptor operator()(const face_descriptor f) const

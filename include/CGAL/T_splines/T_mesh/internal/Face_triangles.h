@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Similarity_map/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/internal/Enclosed_number.h>
 #include <CGAL/T_splines/Similarity_map/internal/Seamless_layout.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <CGAL/number_type_basic.h>
@@ -63,13 +64,15 @@ public:
   }
 
   /// Adds the next face, [0, width] x [0, height], of which a part lies in a triangle.
-  void add_face(const int triangle, const Similarity_2<FT>& to_face, const double width, const double height)
+  /// \param progress if it is interrupted, images of the face are missing
+  void add_face(const int triangle, const Similarity_2<FT>& to_face, const double width, const double height,
+                Progress& progress)
   {
     const int face = static_cast<int>(m_sizes.size());
     std::size_t i = m_images.size();
     m_sizes.push_back({{width, height}});
     add_image(triangle, anchored(face, triangle, to_face));
-    for (; i < m_images.size(); ++i) {
+    for (; i < m_images.size() && progress.go_on_after(5); ++i) {
       const auto corner = corners(m_images[i].triangle);
       for (int side = 0; side < 3; ++side) {
         const int across = corner[side] ^ 1;

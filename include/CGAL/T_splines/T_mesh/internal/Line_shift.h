@@ -28,14 +28,14 @@ namespace internal {
 //
 // Lengths of the edges that meet the line orthogonally change by the displacement, in each face's own units; nothing
 // else changes, as each face that the line touches has a full side on it.
-template <typename TMesh, typename Visitor>
+template <typename TMesh, typename Observer>
 class Line_shift {
   using Graph = typename TMesh::Graph;
   using Traits = boost::graph_traits<Graph>;
   using vertex_descriptor = typename TMesh::vertex_descriptor;
   using halfedge_descriptor = typename TMesh::halfedge_descriptor;
   using face_descriptor = typename TMesh::face_descriptor;
-  using Surgery = T_mesh_surgery<TMesh, Visitor>;
+  using Surgery = T_mesh_surgery<TMesh, Observer>;
   using FT = typename Surgery::FT;
   using Piece = typename Surgery::Piece;
   using Status = T_mesh_edit_status;
@@ -70,10 +70,10 @@ public:
     for (const auto& change : m_changes)
       m_surgery.t_mesh().set_knot(change.first, FT(knot(change.first) + change.second.all));
     for (const Link& link : m_line)
-      m_surgery.visitor().vertex_moved(target(link.h, m_graph), link.h);
+      m_surgery.observer().vertex_moved(target(link.h, m_graph), link.h);
     if (!m_is_closed) {
       const halfedge_descriptor o = opposite(m_line.front().h, m_graph);
-      m_surgery.visitor().vertex_moved(target(o, m_graph), o);
+      m_surgery.observer().vertex_moved(target(o, m_graph), o);
     }
     m_surgery.report_pieces(pieces);
     return Status::DONE;

@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/T_mesh/internal/Motorcycle_traces.h>
 #include <CGAL/T_splines/T_mesh/internal/Trace_arcs.h>
 #include <CGAL/T_splines/T_mesh/internal/isoline_directions.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/exactness.h>
 
 #include <array>
@@ -49,17 +50,21 @@ public:
     FT scale = FT(1);  ///< from the chart where the half-arc starts to the face
   };
 
-  explicit Motorcycle_cells(const Arcs& arcs) : m_arcs(arcs), m_parts(2 * arcs.arcs().size())
+  /// \param arcs all of them
+  /// \param progress if it is interrupted, this is no T-mesh
+  Motorcycle_cells(const Arcs& arcs, Progress& progress) : m_arcs(arcs), m_parts(2 * arcs.arcs().size())
   {
+    if (!is_graph())
+      return;
     find_vertices();
     for (std::size_t v = 0; v < m_nodes.size(); ++v)
       for (int slot = 0; slot < arcs.number_of_slots(m_nodes[v]); ++slot)
         if (arcs.leaving(m_nodes[v], slot) != none)
           add_edge(arcs.leaving(m_nodes[v], slot));
-    m_is_t_mesh = join_halfedges();
+    m_is_t_mesh = progress.go_on() && join_halfedges();
     for (int h = 0; h < number_of_halfedges() && m_is_t_mesh; ++h)
       if (m_halfedges[h].face == none && !m_is_border[h] && m_halfedges[h].is_corner)
-        m_is_t_mesh = add_face(m_halfedges[h].next);
+        m_is_t_mesh = progress.go_on_after(200) && add_face(m_halfedges[h].next);
     for (int h = 0; h < number_of_halfedges() && m_is_t_mesh; ++h)
       m_is_t_mesh = m_is_border[h] || m_halfedges[h].face != none;
   }
@@ -136,6 +141,16 @@ private:
     else
       point[axis_along(direction)] -= length;
     return point;
+  }
+
+  /// Whether each end of an arc has its slot for itself. Where predicates are not exact, several may be there.
+  bool is_graph() const
+  {
+    for (int half_arc = 0; half_arc < static_cast<int>(m_parts.size()); ++half_arc)
+      if (m_arcs.end_slot(half_arc) == none ||
+          m_arcs.leaving(m_arcs.end_node(half_arc), m_arcs.end_slot(half_arc)) != (half_arc ^ 1))
+        return false;
+    return true;
   }
 
   void find_vertices()
@@ -226,9 +241,9 @@ private:
     FT scale(1); // from the chart where the halfedge starts to the face
     int side = 0, h = first;
     do {
-      Halfedge& halfedge = m_halfedges[h];
-      if (halfedge.face != none)
+      if (h == none || m_halfedges[h].face != none)
         return false;
+      Halfedge& halfedge = m_halfedges[h];
       halfedge.face = f;
       halfedge.side = side;
       halfedge.u = position[0];

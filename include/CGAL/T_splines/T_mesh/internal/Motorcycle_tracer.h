@@ -11,8 +11,9 @@
 #include <CGAL/T_splines/T_mesh/internal/Motorcycle_traces.h>
 #include <CGAL/T_splines/T_mesh/internal/Spiral_detection.h>
 #include <CGAL/T_splines/T_mesh/internal/Vertex_stars.h>
-#include <CGAL/T_splines/T_mesh/internal/places_on_chords.h>
 #include <CGAL/T_splines/T_mesh/internal/isoline_directions.h>
+#include <CGAL/T_splines/T_mesh/internal/places_on_chords.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/assertions.h>
 
@@ -53,6 +54,9 @@ class Motorcycle_tracer {
   using Lines = Lines_in_faces<FT, TracingTraits>;
   using Gate = typename Lines::Gate;
 
+  // Predicates that exact numbers decide, once in a while, are a part of it.
+  static constexpr std::size_t work_per_step = 200;
+
 public:
   static constexpr int none = -1;
   static constexpr int maximal_seeds_per_trace = 256;
@@ -72,19 +76,20 @@ public:
     m_traces.first_crossing_of_edge.assign(m_mesh.number_of_edges(), none);
   }
 
-  /// Traces the whole graph. \param visitor a progress visitor
-  template <typename Visitor>
-  Motorcycle_graph_status trace(const Visitor& visitor)
+  /// Traces the whole graph. The progress is that of the motorcycles that have ended.
+  Motorcycle_graph_status trace(Progress& progress)
   {
+    if (!progress.go_on())
+      return Motorcycle_graph_status::INTERRUPTED;
     trace_borders();
     start_at_cones();
     start_on_surfaces_without_cones();
-    run(visitor);
+    run(progress);
     for (int v = 0; v < m_mesh.number_of_vertices() && m_status == Motorcycle_graph_status::SUCCESS; ++v)
       if (m_stars.is_on_border(v) && border_loop_is_free(v)) {
         ++m_number_of_seeds;
         start_at_vertex(v, 1, 1);
-        run(visitor);
+        run(progress);
       }
     return m_status;
   }
@@ -140,6 +145,8 @@ private:
   void start_at_vertex(const int v, const int first_slot, const int last_slot)
   {
     const int star = m_stars.star_of_vertex(v);
+    if (last_slot >= m_stars.star(star).number_of_rays)
+      return lose(); // predicates that are not exact have missed a ray
     for (int slot = first_slot; slot <= last_slot; ++slot) {
       Motorcycle motorcycle;
       motorcycle.place = Motorcycle::Place::AT_VERTEX;
@@ -237,11 +244,12 @@ private:
 
   // --- the run
 
-  template <typename Visitor>
-  void run(const Visitor& visitor)
+  void run(Progress& progress)
   {
     for (std::size_t steps = 0; !m_queue.empty() && m_status == Motorcycle_graph_status::SUCCESS; ++steps) {
-      if (steps % 4096 == 4095 && !visitor.go_on()) {
+      if (steps % 1024 == 0)
+        progress.progress(1 - static_cast<double>(m_queue.size()) / static_cast<double>(m_motorcycles.size()));
+      if (!progress.go_on_after(work_per_step)) {
         m_status = Motorcycle_graph_status::INTERRUPTED;
         return;
       }

@@ -69,11 +69,16 @@ public:
       while (extend_at(v))
         continue;
     for (const vertex_descriptor v : vertices) {
+      if (!m_splits.progress().go_on_after(500))
+        return;
       m_index.emplace(v, m_plans.size());
       m_plans.push_back({v, clearance(v), FT(0)});
     }
-    for (Plan& plan : m_plans)
+    for (Plan& plan : m_plans) {
+      if (!m_splits.progress().go_on_after(500))
+        return;
       plan.unit = ring_unit(plan);
+    }
     std::vector<std::size_t> order(m_plans.size());
     for (std::size_t i = 0; i < order.size(); ++i)
       order[i] = i;

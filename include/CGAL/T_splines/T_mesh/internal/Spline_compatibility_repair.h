@@ -82,7 +82,7 @@ public:
   /// the rounds look at rounded copies, which are made anew each time, so that errors do not add up; where these find
   /// nothing more, the exact knots decide.
   /// \pre the T-mesh is admissible, its border is as it must be
-  /// \return whether all conditions hold
+  /// \return whether all conditions hold, as far as is known: not if the splits are exhausted
   bool run()
   {
     bool is_final = std::is_same<FT, SurfaceFT>::value;
@@ -112,14 +112,16 @@ private:
     std::vector<int> cone_of_face; // the extraordinary vertex in whose rings a face lies
     std::vector<int> candidates;   // vertices to be looked at
 
-    explicit State(const Splits& splits) : indexing(splits.graph()), structure(indexing, splits.t_mesh()) {}
+    explicit State(Splits& splits) : indexing(splits.graph()), structure(indexing, splits.t_mesh(), splits.progress())
+    {
+    }
   };
 
   template <typename KnotFT>
   Result round()
   {
     State<KnotFT> state(m_splits);
-    if (insert_rings(state))
+    if (insert_rings(state) || m_splits.progress().is_interrupted())
       return Result::CHANGED;
     if (m_is_stuck)
       return Result::STUCK;
@@ -129,6 +131,8 @@ private:
     const std::size_t before = m_splits.count();
     std::vector<int> defects = border_defects(state);
     m_counts.border += m_splits.count() - before;
+    if (!m_splits.progress().go_on())
+      return Result::CHANGED;
     if (!defects.empty())
       defects.insert(defects.end(), state.candidates.begin(),
                      state.candidates.end()); // their supports are still unknown
@@ -196,11 +200,14 @@ private:
   std::vector<int> border_defects(State<KnotFT>& state)
   {
     std::vector<int> result;
-    for (const int v : state.candidates)
+    for (const int v : state.candidates) {
+      if (!m_splits.progress().go_on_after(20))
+        break;
       if (state.structure.find_knots(v)) {
         result.push_back(v);
         widen_border(state, v);
       }
+    }
     if (!result.empty() || !state.structure.has_border())
       return result;
     for (const Regular_rings<KnotFT>& rings : state.structure.rings())

@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/T_mesh/internal/Ring_controls.h>
 #include <CGAL/T_splines/T_mesh/internal/T_mesh_arrays.h>
 #include <CGAL/T_splines/T_mesh/internal/Vertex_quarters.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <algorithm>
 #include <array>
@@ -48,10 +49,14 @@ public:
 
   /// \pre the knots are admissible
   /// \tparam TMesh a `T_mesh_view`
+  /// \param progress asked by what looks at all vertices; it must outlive this. If it is interrupted, the defect that is
+  ///        found is INTERRUPTED
   template <typename TMesh>
-  Spline_structure(const Mesh_indexing<typename TMesh::Graph>& indexing, const TMesh& t_mesh)
-    : m_knot_arrays(indexing, t_mesh)
+  Spline_structure(const Mesh_indexing<typename TMesh::Graph>& indexing, const TMesh& t_mesh, Progress& progress)
+    : m_progress(progress),
+      m_knot_arrays(indexing, t_mesh)
   {
+    m_progress.go_on();
     if constexpr (!std::is_same<KnotFT, FT>::value)
       m_arrays = Arrays(indexing, t_mesh);
     classify_vertices();
@@ -93,12 +98,15 @@ public:
     return {};
   }
 
-  /// Condition A: all extraordinary vertices that violate it. \pre `check_vertices()` found no defect
+  /// Condition A: all extraordinary vertices that violate it, or not all of them if the progress is interrupted.
+  /// \pre `check_vertices()` found no defect
   std::vector<Spline_defect> ring_defects()
   {
     std::vector<Spline_defect> result;
     m_rings.clear();
     for (const int v : m_extraordinary_vertices) {
+      if (!m_progress.go_on_after(500))
+        break;
       m_rings.emplace_back(m_knot_arrays, Vertex_quarters<KnotFT>(m_knot_arrays, v));
       if (!m_rings.back().are_regular())
         result.push_back({Status::IRREGULAR_RINGS, v, v, m_rings.back().bad_face()});
@@ -112,15 +120,20 @@ public:
   Spline_defect check_rings()
   {
     const std::vector<Spline_defect> defects = ring_defects();
+    if (m_progress.is_interrupted())
+      return {Status::INTERRUPTED};
     return defects.empty() ? Spline_defect() : defects.front();
   }
 
   /// Finds the knots of all vertices. \pre condition A holds
   Spline_defect find_knots()
   {
-    for (int v = 0; v < m_knot_arrays.number_of_vertices(); ++v)
+    for (int v = 0; v < m_knot_arrays.number_of_vertices(); ++v) {
+      if (!m_progress.go_on_after(20))
+        return {Status::INTERRUPTED};
       if (const Spline_defect defect = find_knots(v))
         return defect;
+    }
     const std::vector<Spline_defect> defects = border_defects_of_rings();
     return defects.empty() ? Spline_defect() : defects.front();
   }
@@ -176,6 +189,8 @@ public:
     for (int v = 0; v < m_knot_arrays.number_of_vertices(); ++v) {
       if (is_isolated(v))
         continue;
+      if (!m_progress.go_on_after(100))
+        return {Status::INTERRUPTED};
       const Spline_defect defect = find_support(v, support);
       if (defect)
         return defect;
@@ -193,6 +208,8 @@ public:
     for (const int v : vertices) {
       if (is_isolated(v))
         continue;
+      if (!m_progress.go_on_after(100))
+        return;
       if (const Spline_defect defect = find_support(v, support))
         sink(defect, support);
     }
@@ -264,6 +281,7 @@ private:
     return result;
   }
 
+  Progress& m_progress;
   Knot_arrays m_knot_arrays;
   Arrays m_arrays; // empty if the number types are the same
   bool m_has_border = false;

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Similarity_map/Seamless_map.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/internal/Isoline_walker.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/boost/graph/properties.h>
 
@@ -58,8 +59,9 @@ public:
   }
 
   /// Places the component of a root. \param found_vertex, found_edge are called with what is placed
+  /// \return false if an edge leads nowhere, or `progress` is interrupted
   template <typename Root, typename FoundVertex, typename FoundEdge>
-  bool place(const Root& root, const FoundVertex& found_vertex, const FoundEdge& found_edge)
+  bool place(const Root& root, const FoundVertex& found_vertex, const FoundEdge& found_edge, Progress& progress)
   {
     Stand stand;
     const T_mesh_coordinates coordinates(m_t_mesh);
@@ -72,6 +74,10 @@ public:
     m_queue.push_back({first, stand});
     reach(first, stand, found_vertex);
     while (!m_queue.empty()) {
+      progress.progress(static_cast<double>(m_number_of_edges) / static_cast<double>(num_edges(m_graph)));
+      if (!progress.go_on_after(work_per_triangle * (1 + m_crossed_triangles)))
+        return false;
+      m_crossed_triangles = 0;
       const Known_halfedge known = m_queue.front();
       m_queue.pop_front();
       if (!walk_from(known, found_vertex, found_edge))
@@ -81,6 +87,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t work_per_triangle = 100; // in exact numbers
+
   struct Known_halfedge {
     halfedge_descriptor halfedge;
     Stand stand;
@@ -169,6 +177,8 @@ private:
     std::vector<Point_3> polyline(1, m_walker.point(stand));
     if (!m_walker.walk(stand, FT(1), polyline))
       return false;
+    ++m_number_of_edges;
+    m_crossed_triangles += polyline.size();
     if (!is_main)
       std::reverse(polyline.begin(), polyline.end());
     found_edge(edge(is_main ? h : back, m_graph), polyline);
@@ -186,6 +196,8 @@ private:
   Vertex_flag_map m_is_placed;
   Halfedge_flag_map m_is_main; // the halfedge of its edge
   std::deque<Known_halfedge> m_queue;
+  std::size_t m_number_of_edges = 0; // that were walked along
+  std::size_t m_crossed_triangles = 0;
 };
 
 } // namespace internal

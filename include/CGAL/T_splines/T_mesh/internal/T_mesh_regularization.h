@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/internal/Changed_faces.h>
 #include <CGAL/T_splines/T_mesh/internal/Split_position.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_type_basic.h>
@@ -44,14 +45,14 @@ inline std::pair<int, int> short_fraction(const double x)
 
 // The greedy improvement of a T-mesh ([CZ17] section 8.1), its state between operations.
 // \tparam TMesh a `T_mesh_view`
-template <typename TMesh, typename Visitor, typename VertexIsConstrainedMap>
+template <typename TMesh, typename Observer, typename VertexIsConstrainedMap>
 class T_mesh_regularization {
   using Graph = typename TMesh::Graph;
   using Traits = boost::graph_traits<Graph>;
   using halfedge_descriptor = typename TMesh::halfedge_descriptor;
   using face_descriptor = typename TMesh::face_descriptor;
-  using Editor_visitor = T_mesh_visitor_pair<typename Changed_faces<Graph>::Visitor, Visitor>;
-  using Editor = T_mesh_editor<TMesh, Editor_visitor, VertexIsConstrainedMap>;
+  using Editor_observer = T_mesh_observer_pair<typename Changed_faces<Graph>::Observer, Observer>;
+  using Editor = T_mesh_editor<TMesh, Editor_observer, VertexIsConstrainedMap>;
   using FT = typename Editor::FT;
 
   // The part from `from` to `to`, as fractions, of the overlap of the two faces of `h` is to be removed.
@@ -134,22 +135,25 @@ public:
   // unless a face became worse than the worst one, or than this.
   static constexpr double aspect_at_gap = 5;
 
-  T_mesh_regularization(const TMesh& t_mesh, const Visitor& visitor, const VertexIsConstrainedMap vertex_is_constrained)
+  T_mesh_regularization(const TMesh& t_mesh, const Observer& observer,
+                        const VertexIsConstrainedMap vertex_is_constrained)
     : m_t_mesh(t_mesh),
       m_graph(t_mesh.graph()),
       m_split_position(t_mesh),
-      m_editor(t_mesh, Editor_visitor(m_changed_faces.visitor(), visitor), vertex_is_constrained)
+      m_editor(t_mesh, Editor_observer(m_changed_faces.observer(), observer), vertex_is_constrained)
   {
   }
 
-  // Executes at most the given number of operations.
-  Counts run(const std::size_t number_of_operations)
+  // Executes at most the given number of operations. The progress is that of the logarithm of the worst aspect ratio.
+  Counts run(const std::size_t number_of_operations, Progress& progress)
   {
+    progress.go_on();
     for (const face_descriptor f : faces(m_graph))
       push(f);
     Counts counts;
     std::size_t done = 0;
-    while (!m_queue.empty() && done < number_of_operations) {
+    const double first = m_queue.empty() ? 1 : m_queue.top().aspect;
+    while (!m_queue.empty() && done < number_of_operations && progress.go_on_after(work_per_face)) {
       const Entry entry = m_queue.top();
       m_queue.pop();
       const auto stamp = m_stamps.find(entry.f);
@@ -160,10 +164,12 @@ public:
         ++(best.is_full ? counts.removals : best.from == 0 && best.to == 1 ? counts.flips : counts.partial_removals);
         ++done;
         update_queue();
+        progress.progress(1 - std::log(entry.aspect) / std::log(first));
+        progress.go_on_after(work_per_operation);
       }
     }
     const std::size_t number_of_gaps = gaps().size();
-    while (counts.closed_gaps < number_of_gaps && done < number_of_operations && close_a_gap()) {
+    while (counts.closed_gaps < number_of_gaps && done < number_of_operations && progress.go_on() && close_a_gap()) {
       ++counts.closed_gaps;
       ++done;
     }
@@ -177,6 +183,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t work_per_face = 100, work_per_operation = 2000;
+
   void push(const face_descriptor f)
   {
     m_stamps[f] = ++m_last_stamp;

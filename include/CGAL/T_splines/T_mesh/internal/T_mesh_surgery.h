@@ -5,8 +5,8 @@
 #define CGAL_T_SPLINES_T_MESH_INTERNAL_T_MESH_SURGERY_H
 
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_visitor.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -24,7 +24,7 @@ namespace internal {
 // in two, two faces become one. Whether a change is allowed is decided by the caller. Only next, opposite, target and
 // face are used, so the T-mesh may be non-simple.
 // \tparam TMesh a `T_mesh_view`
-template <typename TMesh, typename Visitor>
+template <typename TMesh, typename Observer>
 class T_mesh_surgery {
   using Graph = typename TMesh::Graph;
   using Traits = boost::graph_traits<Graph>;
@@ -37,10 +37,10 @@ public:
   using FT = typename TMesh::FT;
   using Piece = T_mesh_piece<Graph, FT>;
 
-  T_mesh_surgery(const TMesh& t_mesh, const Visitor& visitor)
+  T_mesh_surgery(const TMesh& t_mesh, const Observer& observer)
     : m_t_mesh(t_mesh),
       m_graph(t_mesh.graph()),
-      m_visitor(visitor),
+      m_observer(observer),
       m_coordinates(t_mesh)
   {
   }
@@ -81,7 +81,7 @@ public:
       m_t_mesh.set_corner(m, bool(m_t_mesh.is_corner(o)));
       m_t_mesh.set_corner(o, false);
     }
-    m_visitor.vertex_inserted(v, n);
+    m_observer.vertex_inserted(v, n);
     return n;
   }
 
@@ -98,7 +98,7 @@ public:
   {
     const halfedge_descriptor n = next(h, m_graph), m = opposite(n, m_graph), o = opposite(h, m_graph);
     const vertex_descriptor v = target(h, m_graph), w = target(n, m_graph);
-    m_visitor.vertex_removed(v, h);
+    m_observer.vertex_removed(v, h);
     const halfedge_descriptor after = next(n, m_graph), before = prev(m, m_graph);
     set_target(h, w, m_graph);
     if (after == m) // w has no other edge
@@ -145,7 +145,7 @@ public:
       set_halfedge(f, a, m_graph);
     set_halfedge(g, is_vertical ? after_a : m, m_graph);
 
-    m_visitor.edge_inserted(n);
+    m_observer.edge_inserted(n);
     const FT zero(0);
     if (is_vertical)
       report_pieces({Piece{f, f, Similarity_2<FT>(), x, height},
@@ -165,7 +165,7 @@ public:
     const std::vector<Piece> pieces = merged_pieces(h);
     if (m_coordinates.side(h) == 0)
       set_halfedge(f, m_coordinates.first_of_side(g, (m_coordinates.side(o) + 2) % 4), m_graph);
-    m_visitor.edge_removed(h);
+    m_observer.edge_removed(h);
 
     const FT scale = FT(m_t_mesh.knot(h)) / FT(m_t_mesh.knot(o));
     for (const halfedge_descriptor i : CGAL::halfedges_around_face(o, m_graph)) {
@@ -191,11 +191,11 @@ public:
     return f;
   }
 
-  void report_pieces(const std::vector<Piece>& pieces) const { m_visitor.faces_replaced(pieces); }
+  void report_pieces(const std::vector<Piece>& pieces) const { m_observer.faces_replaced(pieces); }
 
   const Coordinates& coordinates() const { return m_coordinates; }
   const TMesh& t_mesh() const { return m_t_mesh; }
-  const Visitor& visitor() const { return m_visitor; }
+  const Observer& observer() const { return m_observer; }
 
   FT distance_of_target(const halfedge_descriptor h) const
   {
@@ -231,7 +231,7 @@ private:
 
   TMesh m_t_mesh;
   Graph& m_graph;
-  Visitor m_visitor;
+  Observer m_observer;
   Coordinates m_coordinates;
 };
 

@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/T_mesh/internal/Motorcycle_traces.h>
 #include <CGAL/T_splines/T_mesh/internal/Vertex_stars.h>
 #include <CGAL/T_splines/T_mesh/internal/isoline_directions.h>
+#include <CGAL/T_splines/internal/Progress.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -53,7 +54,9 @@ public:
     FT scale; ///< of the way from the chart where the arc starts to this one
   };
 
-  Trace_arcs(const Layout& layout, const Stars& stars, const Traces& traces, const TracingTraits& traits)
+  /// \param progress if it is interrupted, arcs are missing
+  Trace_arcs(const Layout& layout, const Stars& stars, const Traces& traces, const TracingTraits& traits,
+             Progress& progress)
     : m_layout(layout),
       m_mesh(layout.mesh()),
       m_stars(stars),
@@ -64,8 +67,11 @@ public:
     for (int s = 0; s < stars.number_of_stars(); ++s)
       m_half_arc_of_ray.resize(m_half_arc_of_ray.size() + stars.star(s).number_of_rays, none);
     m_half_arc_of_crossing.assign(4 * traces.nodes.size(), none);
-    for (std::size_t t = 0; t < traces.traces.size(); ++t)
+    for (std::size_t t = 0; t < traces.traces.size(); ++t) {
+      if (!progress.go_on_after(5 * (traces.traces[t].chords.size() + traces.traces[t].visits.size())))
+        return;
       add_arcs(static_cast<int>(t));
+    }
   }
 
   const std::vector<Arc>& arcs() const { return m_arcs; }

@@ -1,18 +1,13 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef MESH_TO_T_SPLINE_REFINED_MAP_H
-#define MESH_TO_T_SPLINE_REFINED_MAP_H
+#ifndef MESH_TO_T_SPLINE_MAPPED_MESH_FIGURES_H
+#define MESH_TO_T_SPLINE_MAPPED_MESH_FIGURES_H
 
+#include "Approximation.h"
 #include "Figures.h"
 
-#include <CGAL/T_splines/Similarity_map/Similarity_2.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/Polygon_mesh_processing/locate.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
 #include <array>
@@ -22,43 +17,20 @@
 #include <utility>
 #include <vector>
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Vertex = Mesh::Vertex_index;
-using Halfedge = Mesh::Halfedge_index;
-using Edge = Mesh::Edge_index;
-using Face = Mesh::Face_index;
-using Location = CGAL::Polygon_mesh_processing::Face_location<Mesh, double>;
-using Transition = CGAL::T_splines::Similarity_2<double>;
-
-/// The refined mesh with all that is known of it.
-struct Refined_map {
-  Mesh mesh;
-  Mesh::Property_map<Halfedge, Kernel::Point_2> uv = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
-  Mesh::Property_map<Halfedge, Transition> transition =
-      mesh.add_property_map<Halfedge, Transition>("h:transition").first;
-  Mesh::Property_map<Edge, bool> is_cut = mesh.add_property_map<Edge, bool>("e:is_cut", false).first;
-  Mesh::Property_map<Vertex, Location> location = mesh.add_property_map<Vertex, Location>("v:location").first;
-
-  Refined_map() = default;
-  Refined_map(const Refined_map&) = delete; // the property maps are those of this mesh
-  Refined_map& operator=(const Refined_map&) = delete;
-};
-
 /// Tells which edges of the refined mesh lie on edges of the input.
 class Input_edge_finder {
 public:
-  /// \pre The vertices of the input come first in `refined`, in their order.
-  Input_edge_finder(const Mesh& input, const Refined_map& refined) : m_input(input), m_refined(refined)
+  /// \param mapped its vertices have locations on `input`
+  Input_edge_finder(const Mesh& input, const Mapped& mapped) : m_input(input), m_mapped(mapped)
   {
-    for (std::size_t i = input.number_of_vertices(); i < refined.mesh.number_of_vertices(); ++i)
-      m_edge_of_added_vertex.push_back(edge_of(refined.location[vertex(i)]));
+    for (std::size_t i = input.number_of_vertices(); i < mapped.mesh().number_of_vertices(); ++i)
+      m_edge_of_added_vertex.push_back(edge_of(mapped.locations()[vertex(i)]));
   }
 
   bool operator()(const Edge e) const
   {
-    const Halfedge h = m_refined.mesh.halfedge(e);
-    Vertex v = m_refined.mesh.source(h), w = m_refined.mesh.target(h);
+    const Halfedge h = m_mapped.mesh().halfedge(e);
+    Vertex v = m_mapped.mesh().source(h), w = m_mapped.mesh().target(h);
     if (!is_added(v))
       std::swap(v, w);
     if (!is_added(v))
@@ -88,7 +60,7 @@ private:
   }
 
   const Mesh& m_input;
-  const Refined_map& m_refined;
+  const Mapped& m_mapped;
   std::vector<std::optional<Edge>> m_edge_of_added_vertex;
 };
 
@@ -106,14 +78,14 @@ inline double longest_side_of(const Mesh& mesh)
 }
 
 /// The rotations and scale factors across the cut, each together with its inverse.
-inline std::vector<Figures::Transition> distinct_transitions(const Refined_map& refined)
+inline std::vector<Figures::Transition> distinct_transitions(const Mapped& mapped)
 {
   constexpr double tolerance = 1e-9; // of logarithms of scale factors
   std::vector<Figures::Transition> result;
-  for (const Edge e : refined.mesh.edges()) {
-    if (!refined.is_cut[e])
+  for (const Edge e : mapped.mesh().edges()) {
+    if (!mapped.cut()[e])
       continue;
-    Transition t = refined.transition[refined.mesh.halfedge(e)];
+    Transition t = mapped.transitions()[mapped.mesh().halfedge(e)];
     const bool is_rotation = std::abs(std::log(t.scale())) < tolerance;
     if (is_rotation ? t.quarter_turns() == 3 : t.scale() < 1)
       t = t.inverse();
@@ -132,32 +104,32 @@ inline std::vector<Figures::Transition> distinct_transitions(const Refined_map& 
 }
 
 /// Largest over smallest square root of area in the plane over area in space.
-inline double scale_range(const Refined_map& refined)
+inline double scale_range(const Mapped& mapped)
 {
   double low = HUGE_VAL, high = 0;
-  for (const Face f : refined.mesh.faces()) {
-    const Halfedge h = refined.mesh.halfedge(f), g = refined.mesh.next(h), k = refined.mesh.next(g);
-    const auto point = [&refined](const Halfedge halfedge) {
-      return refined.mesh.point(refined.mesh.target(halfedge));
+  for (const Face f : mapped.mesh().faces()) {
+    const Halfedge h = mapped.mesh().halfedge(f), g = mapped.mesh().next(h), k = mapped.mesh().next(g);
+    const auto point = [&mapped](const Halfedge halfedge) {
+      return mapped.mesh().point(mapped.mesh().target(halfedge));
     };
     const double area = std::sqrt(CGAL::squared_area(point(h), point(g), point(k)));
-    const double uv_area = CGAL::area(refined.uv[h], refined.uv[g], refined.uv[k]);
+    const double uv_area = CGAL::area(mapped.uv()[h], mapped.uv()[g], mapped.uv()[k]);
     low = std::min(low, uv_area / area);
     high = std::max(high, uv_area / area);
   }
   return std::sqrt(high / low);
 }
 
-inline Figures::Refined refined_figures(const Refined_map& refined)
+inline Figures::Refined refined_figures(const Mapped& mapped)
 {
   Figures::Refined figures;
-  figures.vertices = refined.mesh.number_of_vertices();
-  figures.faces = refined.mesh.number_of_faces();
-  figures.cut_edges = static_cast<std::size_t>(std::count_if(refined.mesh.edges().begin(), refined.mesh.edges().end(),
-                                                             [&](const Edge e) { return refined.is_cut[e]; }));
-  figures.scale_range = scale_range(refined);
-  figures.transitions = distinct_transitions(refined);
+  figures.vertices = mapped.mesh().number_of_vertices();
+  figures.faces = mapped.mesh().number_of_faces();
+  figures.cut_edges = static_cast<std::size_t>(std::count_if(mapped.mesh().edges().begin(), mapped.mesh().edges().end(),
+                                                             [&](const Edge e) { return mapped.cut()[e]; }));
+  figures.scale_range = scale_range(mapped);
+  figures.transitions = distinct_transitions(mapped);
   return figures;
 }
 
-#endif // MESH_TO_T_SPLINE_REFINED_MAP_H
+#endif // MESH_TO_T_SPLINE_MAPPED_MESH_FIGURES_H

@@ -1,13 +1,14 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_T_SPLINES_IO_INTERNAL_ATOMIC_FILE_H
-#define CGAL_T_SPLINES_IO_INTERNAL_ATOMIC_FILE_H
+#ifndef CGAL_T_SPLINES_IO_ATOMIC_FILE_H
+#define CGAL_T_SPLINES_IO_ATOMIC_FILE_H
 
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <ostream>
+#include <streambuf>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -20,15 +21,16 @@
 
 namespace CGAL {
 namespace T_splines {
-namespace internal {
 
+/// \ingroup PkgTSplinesIO
 /// A file that appears under its name only when it is complete, and until then leaves what stood there alone.
 ///
-/// The content goes to a temporary name in the same directory. `finish()` brings it to the disk, `commit()` renames it;
+/// The content goes through `write()` or `stream()` to a temporary name in the same directory. `finish()` brings it to the disk, `commit()` renames it;
 /// several files are published together by finishing all before committing any. An object that is destroyed without `commit()`
 /// removes its temporary file.
 class Atomic_file {
 public:
+  /// opens a temporary file beside `path`. What fails is told by `error()`.
   explicit Atomic_file(std::filesystem::path path) : m_path(std::move(path))
   {
     for (int i = 0; m_stream == nullptr && i < 1000; ++i) {
@@ -56,11 +58,15 @@ public:
     }
   }
 
+  /// appends to the file. What fails is told by `error()`.
   void write(const std::string_view data)
   {
     if (m_error == 0 && std::fwrite(data.data(), 1, data.size(), m_stream) != data.size())
       m_error = errno != 0 ? errno : EIO;
   }
+
+  /// returns a stream that appends to the file, for the functions of this package that write to streams.
+  std::ostream& stream() { return m_output; }
 
   /// flushes everything to the disk. \return whether the file is complete.
   bool finish()
@@ -97,6 +103,7 @@ public:
     return m_error;
   }
 
+  /// returns the name that the file will have.
   const std::filesystem::path& path() const
   {
     return m_path;
@@ -109,14 +116,38 @@ private:
       m_error = errno != 0 ? errno : EIO;
   }
 
+  // Hands what the stream gets to `write()`.
+  class Buffer : public std::streambuf {
+  public:
+    explicit Buffer(Atomic_file& file) : m_file(file) {}
+
+  private:
+    int_type overflow(const int_type c) override
+    {
+      if (traits_type::eq_int_type(c, traits_type::eof()))
+        return traits_type::not_eof(c);
+      const char character = traits_type::to_char_type(c);
+      return xsputn(&character, 1) == 1 ? c : traits_type::eof();
+    }
+
+    std::streamsize xsputn(const char* const data, const std::streamsize size) override
+    {
+      m_file.write(std::string_view(data, static_cast<std::size_t>(size)));
+      return m_file.error() == 0 ? size : 0;
+    }
+
+    Atomic_file& m_file;
+  };
+
+  Buffer m_buffer{*this};
+  std::ostream m_output{&m_buffer};
   std::filesystem::path m_path, m_temporary;
   std::FILE* m_stream = nullptr;
   bool m_is_finished = false, m_is_committed = false;
   int m_error = 0;
 };
 
-} // namespace internal
 } // namespace T_splines
 } // namespace CGAL
 
-#endif // CGAL_T_SPLINES_IO_INTERNAL_ATOMIC_FILE_H
+#endif // CGAL_T_SPLINES_IO_ATOMIC_FILE_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_T_SPLINES_IO_INTERNAL_BASE64_H
-#define CGAL_T_SPLINES_IO_INTERNAL_BASE64_H
+#ifndef CGAL_T_SPLINES_IO_BASE64_H
+#define CGAL_T_SPLINES_IO_BASE64_H
 
 #include <cstddef>
 #include <cstdint>
@@ -14,8 +14,9 @@
 
 namespace CGAL {
 namespace T_splines {
-namespace internal {
 
+/// \ingroup PkgTSplinesIO
+/// returns the bytes in base64 (RFC 4648).
 inline std::string base64(const std::string_view bytes)
 {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -31,7 +32,8 @@ inline std::string base64(const std::string_view bytes)
   return text;
 }
 
-/// The bytes of an array, the lowest of each number first.
+/// \ingroup PkgTSplinesIO
+/// returns the bytes of an array, the lowest of each number first.
 template <typename Number>
 std::string little_endian_bytes(const std::vector<Number>& numbers)
 {
@@ -50,15 +52,15 @@ std::string little_endian_bytes(const std::vector<Number>& numbers)
   return bytes;
 }
 
-/// The text of an array: what typed arrays are on every machine with a browser.
+/// \ingroup PkgTSplinesIO
+/// returns the bytes of an array in base64: what typed arrays are on every machine with a browser.
 template <typename Number>
 std::string base64_of_array(const std::vector<Number>& numbers)
 {
   return base64(little_endian_bytes(numbers));
 }
 
-} // namespace internal
 } // namespace T_splines
 } // namespace CGAL
 
-#endif // CGAL_T_SPLINES_IO_INTERNAL_BASE64_H
+#endif // CGAL_T_SPLINES_IO_BASE64_H

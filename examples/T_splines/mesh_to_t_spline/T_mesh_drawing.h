@@ -1,19 +1,14 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef MESH_TO_T_SPLINE_SURFACE_T_MESH_H
-#define MESH_TO_T_SPLINE_SURFACE_T_MESH_H
+#ifndef MESH_TO_T_SPLINE_T_MESH_DRAWING_H
+#define MESH_TO_T_SPLINE_T_MESH_DRAWING_H
 
-#include "Refined_map.h"
+#include "Approximation.h"
 #include "t_mesh_figures.h"
 
-#include <CGAL/T_splines/Spline/T_spline.h>
-#include <CGAL/T_splines/T_mesh/Carried_surface.h>
-#include <CGAL/T_splines/T_mesh/T_mesh.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_place.h>
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
@@ -21,26 +16,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <vector>
-
-using Exact_number = CGAL::Exact_rational;
-using T_spline = CGAL::T_splines::T_spline<Kernel>;
-using Exact_t_mesh = CGAL::T_splines::T_mesh<Kernel::Point_3, Exact_number>;
-using Graph = T_spline::Graph; // also of the exact T-mesh
-using Anchor = CGAL::T_splines::T_mesh_anchor<Mesh, Exact_number>;
-
-/// A T-mesh with exact knots, and how it lies on the surface.
-struct Surface_t_mesh {
-  Exact_t_mesh t_mesh;
-  Graph::Property_map<Graph::Edge_index, std::vector<Kernel::Point_3>> polylines =
-      t_mesh.graph().add_property_map<Graph::Edge_index, std::vector<Kernel::Point_3>>("e:polyline").first;
-  Graph::Property_map<Graph::Face_index, Anchor> anchors =
-      t_mesh.graph().add_property_map<Graph::Face_index, Anchor>("f:anchor").first; ///< of the motorcycle graph only
-  CGAL::T_splines::Carried_surface<Graph> surface; ///< the mesh, in the faces of the T-mesh
-
-  Surface_t_mesh() = default;
-  Surface_t_mesh(const Surface_t_mesh&) = delete; // the property maps are those of this graph
-  Surface_t_mesh& operator=(const Surface_t_mesh&) = delete;
-};
 
 /// Whether a face goes straight on at `v`. (On the border the outside has no corners.)
 template <typename TMesh>
@@ -88,18 +63,18 @@ struct T_mesh_drawing {
   std::vector<Kernel::Point_3> t_joints;
 };
 
-inline T_mesh_drawing drawing_of(const Surface_t_mesh& t)
+inline T_mesh_drawing drawing_of(const Placed_t_mesh& t)
 {
-  const Graph& graph = t.t_mesh.graph();
+  const Graph& graph = t.t_mesh().graph();
   T_mesh_drawing drawing;
   for (const Graph::Edge_index e : graph.edges()) {
-    drawing.points.insert(drawing.points.end(), t.polylines[e].begin(), t.polylines[e].end());
-    drawing.sizes.push_back(static_cast<std::uint32_t>(t.polylines[e].size()));
+    drawing.points.insert(drawing.points.end(), t.polylines()[e].begin(), t.polylines()[e].end());
+    drawing.sizes.push_back(static_cast<std::uint32_t>(t.polylines()[e].size()));
   }
   for (const Graph::Vertex_index v : graph.vertices())
-    if (is_t_joint(t.t_mesh, v))
+    if (is_t_joint(t.t_mesh(), v))
       drawing.t_joints.push_back(graph.point(v));
   return drawing;
 }
 
-#endif // MESH_TO_T_SPLINE_SURFACE_T_MESH_H
+#endif // MESH_TO_T_SPLINE_T_MESH_DRAWING_H

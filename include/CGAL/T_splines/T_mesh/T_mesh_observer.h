@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_T_SPLINES_T_MESH_T_MESH_VISITOR_H
-#define CGAL_T_SPLINES_T_MESH_T_MESH_VISITOR_H
+#ifndef CGAL_T_SPLINES_T_MESH_T_MESH_OBSERVER_H
+#define CGAL_T_SPLINES_T_MESH_T_MESH_OBSERVER_H
 
 #include <CGAL/T_splines/Similarity_map/Similarity_2.h>
 
@@ -34,11 +34,11 @@ struct T_mesh_piece {
 };
 
 /// \ingroup PkgTSplinesTMesh
-/// The visitor of T-mesh operations that does nothing, and the list of what such a visitor offers: a model of
-/// `TMeshVisitor`.
+/// The observer of T-mesh operations that does nothing, and the list of what such an observer offers: a model of
+/// `TMeshObserver`.
 ///
-/// \cgalModels{TMeshVisitor}
-struct T_mesh_visitor {
+/// \cgalModels{TMeshObserver}
+struct T_mesh_observer {
   /// is called after the vertex `v` was inserted into an edge; `h` ends at `v`, and `next(h)` is the other part.
   template <typename Vertex, typename Halfedge>
   void vertex_inserted(Vertex /*v*/, Halfedge /*h*/) const
@@ -77,14 +77,14 @@ struct T_mesh_visitor {
 };
 
 /// \ingroup PkgTSplinesTMesh
-/// Two visitors of T-mesh operations, called one after the other; a model of `TMeshVisitor`.
+/// Two observers of T-mesh operations, called one after the other; a model of `TMeshObserver`.
 ///
-/// \cgalModels{TMeshVisitor}
+/// \cgalModels{TMeshObserver}
 template <typename First, typename Second>
-class T_mesh_visitor_pair {
+class T_mesh_observer_pair {
 public:
-  /// copies both visitors.
-  T_mesh_visitor_pair(const First& first, const Second& second) : m_first(first), m_second(second) {}
+  /// copies both observers.
+  T_mesh_observer_pair(const First& first, const Second& second) : m_first(first), m_second(second) {}
 
   /// calls both.
   template <typename Vertex, typename Halfedge>
@@ -142,4 +142,4 @@ private:
 } // namespace T_splines
 } // namespace CGAL
 
-#endif // CGAL_T_SPLINES_T_MESH_T_MESH_VISITOR_H
+#endif // CGAL_T_SPLINES_T_MESH_T_MESH_OBSERVER_H

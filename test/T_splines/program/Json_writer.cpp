@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/T_splines/IO/internal/Json_writer.h>
+#include "mesh_to_t_spline/Json_writer.h"
 
 #include <catch2/catch.hpp>
 
@@ -11,8 +11,6 @@
 #include <vector>
 
 namespace {
-
-using CGAL::T_splines::internal::Json_writer;
 
 std::string string_as_json(const std::string& text)
 {

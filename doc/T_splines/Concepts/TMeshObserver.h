@@ -5,30 +5,30 @@
 \ingroup PkgTSplinesConcepts
 \cgalConcept
 
-The concept `TMeshVisitor` describes what follows the changes of a T-mesh: surface points, control points, drawings.
-A model is passed to `CGAL::T_splines::T_mesh_editor`, or by the named parameter `visitor` to
+The concept `TMeshObserver` describes what follows the changes of a T-mesh: surface points, control points, drawings.
+A model is passed to `CGAL::T_splines::T_mesh_editor`, or by the named parameter `observer` to
 `CGAL::T_splines::regularize_T_mesh()`, `CGAL::T_splines::refine_T_mesh()`, `CGAL::T_splines::grade_T_mesh()`,
 `CGAL::T_splines::make_spline_compatible()` and
 `CGAL::T_splines::insert_knot_line()`. Of these, only the last one takes care of control points.
 
-Visitors are passed by value and copied freely: one with state keeps a pointer or a reference to it. All functions
+Observers are passed by value and copied freely: one with state keeps a pointer or a reference to it. All functions
 are called on `const` objects. They must not change the T-mesh.
 
-A class derived from `CGAL::T_splines::T_mesh_visitor` may define only the functions that it cares for: they are
+A class derived from `CGAL::T_splines::T_mesh_observer` may define only the functions that it cares for: they are
 not virtual, the algorithm calls those of the type that it was given.
 
 \cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::T_splines::T_mesh_visitor}
-\cgalHasModels{CGAL::T_splines::T_mesh_visitor_pair}
+\cgalHasModels{CGAL::T_splines::T_mesh_observer}
+\cgalHasModels{CGAL::T_splines::T_mesh_observer_pair}
 \cgalHasModels{CGAL::T_splines::T_mesh_roots}
-\cgalHasModels{CGAL::T_splines::Carried_points::Visitor}
-\cgalHasModels{CGAL::T_splines::Carried_surface::Visitor}
-\cgalHasModels{CGAL::T_splines::Surface_face_size::Visitor}
+\cgalHasModels{CGAL::T_splines::Carried_points::Observer}
+\cgalHasModels{CGAL::T_splines::Carried_surface::Observer}
+\cgalHasModels{CGAL::T_splines::Surface_face_size::Observer}
 \cgalHasModelsEnd
 */
-class TMeshVisitor {
+class TMeshObserver {
 public:
   /// \name Operations
   /// `Graph` is the type of the T-mesh's graph, `FT` the number type of its knots.

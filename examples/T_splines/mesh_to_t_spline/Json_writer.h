@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_T_SPLINES_IO_INTERNAL_JSON_WRITER_H
-#define CGAL_T_SPLINES_IO_INTERNAL_JSON_WRITER_H
+#ifndef MESH_TO_T_SPLINE_JSON_WRITER_H
+#define MESH_TO_T_SPLINE_JSON_WRITER_H
 
 #include <CGAL/assertions.h>
 
@@ -14,10 +14,6 @@
 #include <string_view>
 #include <type_traits>
 #include <vector>
-
-namespace CGAL {
-namespace T_splines {
-namespace internal {
 
 /// Puts a JSON text together, indented by nesting.
 ///
@@ -174,8 +170,4 @@ private:
   bool m_has_key = false;
 };
 
-} // namespace internal
-} // namespace T_splines
-} // namespace CGAL
-
-#endif // CGAL_T_SPLINES_IO_INTERNAL_JSON_WRITER_H
+#endif // MESH_TO_T_SPLINE_JSON_WRITER_H

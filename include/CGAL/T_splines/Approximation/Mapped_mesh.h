@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_APPROXIMATION_MAPPED_MESH_H
+#define CGAL_T_SPLINES_APPROXIMATION_MAPPED_MESH_H
+
+#include <CGAL/T_splines/Similarity_map/Seamless_map.h>
+#include <CGAL/T_splines/Similarity_map/Similarity_2.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Polygon_mesh_processing/locate.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <memory>
+#include <optional>
+
+namespace CGAL {
+namespace T_splines {
+
+/// \ingroup PkgTSplinesApproximation
+/// A seamless map with the mesh that it lives on, a refinement of a given mesh, and all that is known of both.
+/// `compute_exact_map()` makes one. It can be moved but not copied: the map refers to its mesh.
+/// \tparam TriangleMesh the given mesh, a model of `FaceGraph`
+/// \tparam FT_ the number type of the exact map
+template <typename TriangleMesh, typename FT_ = CGAL::Exact_rational>
+class Mapped_mesh {
+public:
+  /// Number type of the exact map and of the knots.
+  using FT = FT_;
+  /// Kernel of the points, in doubles.
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  /// The refined mesh.
+  using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+  /// The exactly seamless map.
+  using Map = Seamless_map<Mesh, FT>;
+  /// A location on the given mesh.
+  using Location = CGAL::Polygon_mesh_processing::Face_location<TriangleMesh, double>;
+  /// Halfedge -> point in the plane.
+  using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
+  /// Halfedge -> transition.
+  using Transition_map = Mesh::Property_map<Mesh::Halfedge_index, Similarity_2<double>>;
+  /// Edge -> whether it is on the cut.
+  using Cut_map = Mesh::Property_map<Mesh::Edge_index, bool>;
+  /// Vertex -> location.
+  using Location_map = Mesh::Property_map<Mesh::Vertex_index, Location>;
+
+  /// is empty.
+  Mapped_mesh() : m_parts(std::make_unique<Parts>()) {}
+
+  /// The refined mesh: the vertices of the given one come first and in their order.
+  Mesh& mesh() { return m_parts->mesh; }
+  /// The refined mesh.
+  const Mesh& mesh() const { return m_parts->mesh; }
+
+  /// Halfedge -> coordinates of its target in the chart of its face.
+  const UV_map& uv() const { return m_parts->uv; }
+  /// Halfedge -> transition from the chart of its face to that of its opposite's face, the identity off the cut.
+  const Transition_map& transitions() const { return m_parts->transitions; }
+  /// Edge -> whether the charts on both sides differ.
+  const Cut_map& cut() const { return m_parts->cut; }
+  /// Vertex -> its location on the given mesh. It is set where the map was computed.
+  const Location_map& locations() const { return m_parts->locations; }
+
+  /// returns whether there is an exactly seamless map.
+  bool has_map() const { return m_parts->map.has_value(); }
+
+  /// \pre `has_map()`
+  const Map& map() const { return *m_parts->map; }
+
+  /// replaces the exact map by an empty one of the present mesh, which must not change any more, and returns it.
+  Map& reset_map() { return m_parts->map.emplace(m_parts->mesh); }
+  /// removes the exact map.
+  void remove_map() { m_parts->map.reset(); }
+
+private:
+  struct Parts {
+    Mesh mesh;
+    UV_map uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+    Transition_map transitions =
+        mesh.add_property_map<Mesh::Halfedge_index, Similarity_2<double>>("h:transition").first;
+    Cut_map cut = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_cut", false).first;
+    Location_map locations = mesh.add_property_map<Mesh::Vertex_index, Location>("v:location").first;
+    std::optional<Map> map;
+  };
+  std::unique_ptr<Parts> m_parts; // their addresses last
+};
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_APPROXIMATION_MAPPED_MESH_H

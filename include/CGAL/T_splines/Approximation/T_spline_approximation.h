@@ -1,0 +1,489 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_APPROXIMATION_T_SPLINE_APPROXIMATION_H
+#define CGAL_T_SPLINES_APPROXIMATION_T_SPLINE_APPROXIMATION_H
+
+#include <CGAL/T_splines/Approximation/Mapped_mesh.h>
+#include <CGAL/T_splines/Approximation/Surface_T_mesh.h>
+#include <CGAL/T_splines/Approximation/T_spline_approximation_report.h>
+#include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
+#include <CGAL/T_splines/Cross_field/compute_smooth_cross_field.h>
+#include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
+#include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
+#include <CGAL/T_splines/Cross_field/reduce_cones.h>
+#include <CGAL/T_splines/Progress_visitor.h>
+#include <CGAL/T_splines/Similarity_map/compute_seamless_similarity_map.h>
+#include <CGAL/T_splines/Similarity_map/make_exactly_seamless.h>
+#include <CGAL/T_splines/Spline/T_spline.h>
+#include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>
+#include <CGAL/T_splines/named_parameters.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <functional>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+
+namespace internal {
+
+/// The points of a map of any kernel, rounded to doubles.
+template <typename VertexPointMap>
+struct Point_in_doubles {
+  using Point_3 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+
+  VertexPointMap points;
+
+  Point_3 operator()(const typename boost::property_traits<VertexPointMap>::key_type v) const
+  {
+    const auto& p = get(points, v);
+    return Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  }
+};
+
+/// What a stage hands on to others: its visitor and its solver.
+template <typename NamedParameters>
+auto visitor_and_solver(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto result =
+      CGAL::parameters::visitor(choose_parameter(get_parameter(np, CGAL::internal_np::visitor), Progress_visitor()));
+  if constexpr (is_missing<decltype(get_parameter(np, CGAL::internal_np::sparse_linear_solver))>)
+    return result;
+  else
+    return result.sparse_linear_solver(
+        std::ref(CGAL::parameters::get_parameter_reference(np, CGAL::internal_np::sparse_linear_solver)));
+}
+
+} // namespace internal
+
+/// \ingroup PkgTSplinesApproximation
+/// The way from a triangle mesh to a T-spline surface, stage by stage ([CZ17]; [He06] for the fit):
+///
+/// 1. guidance: a cross field, its holonomy signature, few cones;
+/// 2. the seamless similarity map with this signature, and the exactly seamless map;
+/// 3. the T-mesh with halfedge knots: the motorcycle graph of the map, regularized, with the mesh on its faces;
+/// 4. the fit, which refines the T-mesh.
+///
+/// Each stage needs the result of the one before; `compute_T_mesh()` runs all stages before the fit that have no result
+/// yet, with their defaults. Between stages, results may be read, and replaced by what comes from elsewhere: by
+/// `use_cross_field()`, `use_cones()`, `set_signature()` and `use_map()`. Stages that come later forget their results
+/// then. With a T-mesh from elsewhere, begin with `fit_adaptive_T_spline()`. Each stage returns whether it has its result; if it has not, `report()` says why, with the elements of the mesh
+/// concerned.
+///
+/// The named parameters of a stage are those of the function that it calls, the points of the mesh and the output maps
+/// apart: these are the class's own.
+/// \tparam TriangleMesh_ a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam VertexPointMap a model of `ReadablePropertyMap` with vertices as keys and points of any kernel, which are
+///         rounded to doubles (default: the internal map of the mesh)
+/// \tparam FT_ the exact number type of the map and the T-mesh
+template <typename TriangleMesh_, typename VertexPointMap = CGAL::Default, typename FT_ = CGAL::Exact_rational>
+class T_spline_approximation {
+public:
+  /// The given mesh.
+  using TriangleMesh = TriangleMesh_;
+  /// Number type of the exact map and of the knots.
+  using FT = FT_;
+  /// Kernel of the points, in doubles.
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  /// Vertex -> point of the given mesh.
+  using Point_map =
+      typename CGAL::Default::Get<VertexPointMap,
+                                  typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>::type;
+  /// A holonomy signature of the mesh.
+  using Signature = Holonomy_signature<TriangleMesh>;
+  /// The refined mesh with its map.
+  using Mapped = Mapped_mesh<TriangleMesh, FT>;
+  /// The T-mesh, and the mesh on its faces.
+  using Placed_T_mesh = Surface_T_mesh<typename Mapped::Mesh, FT>;
+  /// The result.
+  using Spline = T_spline<Kernel>;
+  /// What was done.
+  using Report = T_spline_approximation_report<TriangleMesh>;
+  /// Face -> a direction of its cross.
+  using Cross_field =
+      typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Kernel::Vector_3>>::const_type;
+
+  /// \param mesh a closed triangle mesh, of one or more components; it must outlive this object, unchanged
+  explicit T_spline_approximation(const TriangleMesh& mesh)
+    : T_spline_approximation(mesh, get(CGAL::vertex_point, mesh))
+  {
+  }
+  /// \param mesh likewise
+  /// \param points its points
+  T_spline_approximation(const TriangleMesh& mesh, const Point_map& points)
+    : m_mesh(mesh),
+      m_points({points}),
+      m_cross_field(get(CGAL::dynamic_face_property_t<Kernel::Vector_3>(), mesh))
+  {
+  }
+  T_spline_approximation(const T_spline_approximation&) = delete; // results refer to each other
+  T_spline_approximation& operator=(const T_spline_approximation&) = delete;
+
+  /// The given mesh.
+  const TriangleMesh& mesh() const { return m_mesh; }
+  const Report& report() const { return m_report; } ///< of the stages that were run
+
+  /// \name Guidance
+  /// @{
+
+  /// computes a cross field and its signature: `compute_smooth_cross_field()`, `holonomy_signature_of_cross_field()`. The
+  /// cones of the field stay, unless `reduce_cones()` follows.
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  bool compute_cross_field(const NamedParameters& np = CGAL::parameters::default_values())
+  {
+    const auto matchings = get(CGAL::dynamic_halfedge_property_t<int>(), m_mesh);
+    m_report.cross_field = compute_smooth_cross_field(m_mesh, m_cross_field,
+                                                      parameters::halfedge_matching_map(matchings, with_points(np)));
+    return ended(m_report.cross_field, m_report.cross_field.mesh, Status::INVALID_MESH) &&
+           use_cross_field(m_cross_field,
+                           parameters::halfedge_matching_map(matchings, internal::visitor_and_solver(np)));
+  }
+
+  /// takes the signature of a given field: `holonomy_signature_of_cross_field()`.
+  template <typename CrossFieldMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  bool use_cross_field(const CrossFieldMap field, const NamedParameters& np = CGAL::parameters::default_values())
+  {
+    Signature signature;
+    return set_checked(holonomy_signature_of_cross_field(m_mesh, field, signature, with_points(np)), signature);
+  }
+
+  /// takes cones, and the loops nearest to the metric or with given numbers: `holonomy_signature_of_cones()`.
+  template <typename ConeRange, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  bool use_cones(const ConeRange& cones, const NamedParameters& np = CGAL::parameters::default_values())
+  {
+    Signature signature;
+    return set_checked(holonomy_signature_of_cones(m_mesh, cones, signature, with_points(np)), signature);
+  }
+
+  /// takes a signature as it is; that it is admissible is checked when the map is computed.
+  void set_signature(const Signature& signature)
+  {
+    m_signature = signature;
+    forget_map();
+  }
+
+  /// merges cones: `CGAL::T_splines::reduce_cones()`.
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  bool reduce_cones(const NamedParameters& np = CGAL::parameters::default_values())
+  {
+    if (!m_signature)
+      return lacks("a signature");
+    m_report.cone_reduction = CGAL::T_splines::reduce_cones(m_mesh, *m_signature, with_points(np));
+    forget_map();
+    return ended(m_report.cone_reduction, m_report.cone_reduction.signature.mesh, Status::CONE_REDUCTION_FAILED);
+  }
+
+  /// returns whether there is a signature.
+  bool has_signature() const { return m_signature.has_value(); }
+  const Signature& signature() const { return *m_signature; }      ///< \pre `has_signature()`
+  const Cross_field& cross_field() const { return m_cross_field; } ///< as `compute_cross_field()` computed it
+
+  /// @}
+  /// \name Map
+  /// @{
+
+  /// computes the seamless map of a refinement of the mesh: `compute_seamless_similarity_map()`.
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  bool compute_map(const NamedParameters& np = CGAL::parameters::default_values())
+  {
+    if (!m_signature)
+      return lacks("a signature");
+    forget_map();
+    Mapped mapped;
+    m_report.map = compute_seamless_similarity_map(
+        m_mesh, *m_signature, mapped.mesh(), mapped.uv(),
+        parameters::edge_is_cut_map(mapped.cut(), parameters::vertex_location_map(
+                                                      mapped.locations(), parameters::halfedge_transition_map(
+                                                                              mapped.transitions(), with_points(np)))));
+    if (m_report.map.success())
+      m_mapped = std::move(mapped);
+    return ended(m_report.map, m_report.map.signature.mesh, Status::MAP_FAILED);
+  }
+
+  /// takes a map of the mesh itself, up to round-off, and makes it exact: `make_exactly_seamless()`. The mesh may have a
+  /// border.
+  /// \param uv halfedge of the mesh -> `Point_2`: the coordinates of its target in the chart of its face
+  /// \param np named parameters of `make_exactly_seamless()`
+  template <typename HalfedgeUVMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  bool use_map(const HalfedgeUVMap uv, const NamedParameters& np = CGAL::parameters::default_values())
+  {
+    forget_map();
+    m_mapped.emplace();
+    copy_mesh(uv);
+    if (!make_map_exact(np))
+      return false;
+    take_transitions();
+    return true;
+  }
+
+  /// makes the map exactly seamless: `make_exactly_seamless()`.
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  bool make_map_exact(const NamedParameters& np = CGAL::parameters::default_values())
+  {
+    if (!m_mapped)
+      return lacks("a map");
+    forget_T_mesh();
+    m_report.exact_map = make_exactly_seamless(m_mapped->mesh(), m_mapped->uv(), m_mapped->reset_map(), np);
+    if (!m_report.exact_map.success())
+      m_mapped->remove_map();
+    return ended(m_report.exact_map, Status::EXACT_MAP_FAILED,
+                 [&] { return describe(m_report.exact_map, m_mapped->mesh()); });
+  }
+
+  /// runs the stages up to the exact map that have no result yet, with their defaults.
+  /// \param np named parameters: `visitor` and `sparse_linear_solver`, for all of them
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  bool compute_exact_map(const NamedParameters& np = CGAL::parameters::default_values())
+  {
+    const auto common = internal::visitor_and_solver(np);
+    if (!m_signature && !m_mapped && !(compute_cross_field(common) && reduce_cones(common)))
+      return false;
+    return (m_mapped || compute_map(common)) && make_map_exact(common);
+  }
+
+  /// returns whether there is a map; whether it is exact, `mapped_mesh().has_map()` tells.
+  bool has_map() const { return m_mapped.has_value(); }
+  const Mapped& mapped_mesh() const { return *m_mapped; } ///< the refined mesh with its map; \pre `has_map()`
+
+  /// hands out the refined mesh with its map. The T-mesh is forgotten. \pre `has_map()`
+  Mapped take_mapped_mesh()
+  {
+    forget_T_mesh();
+    Mapped result = std::move(*m_mapped);
+    m_mapped.reset();
+    return result;
+  }
+
+  /// @}
+  /// \name T-mesh
+  /// @{
+
+  /// traces the motorcycle graph: `Surface_T_mesh::trace()`.
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  bool trace_T_mesh(const NamedParameters& np = CGAL::parameters::default_values())
+  {
+    if (!m_mapped || !m_mapped->has_map())
+      return lacks("an exact map");
+    forget_T_mesh();
+    Placed_T_mesh t_mesh;
+    m_report.motorcycle_graph = t_mesh.trace(m_mapped->map(), np);
+    if (m_report.motorcycle_graph.success())
+      m_t_mesh = std::move(t_mesh);
+    return ended(m_report.motorcycle_graph, Status::TRACING_FAILED,
+                 [&] { return describe(m_report.motorcycle_graph); });
+  }
+
+  /// makes the faces of the T-mesh squarer: `Surface_T_mesh::regularize()`.
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  bool regularize_T_mesh(const NamedParameters& np = CGAL::parameters::default_values())
+  {
+    if (!m_t_mesh)
+      return lacks("a T-mesh");
+    m_report.regularization = m_t_mesh->regularize(np);
+    return ended(m_report.regularization, Status::TRACING_FAILED,
+                 [&] { return std::string(message(m_report.regularization.status)); });
+  }
+
+  /// finds the points and polylines of the T-mesh after `regularize_T_mesh()`: `Surface_T_mesh::place()`. The fit does
+  /// not need them.
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  bool place_T_mesh(const NamedParameters& np = CGAL::parameters::default_values())
+  {
+    if (!m_t_mesh || !m_mapped)
+      return lacks("a T-mesh");
+    const T_mesh_placement_report report = m_t_mesh->place(m_mapped->map(), np);
+    return ended(report, Status::PLACEMENT_FAILED, [&] { return std::string(message(report.status)); });
+  }
+
+  /// runs the stages up to the regularized T-mesh that have no result yet, with their defaults.
+  /// \param np named parameters: `visitor` and `sparse_linear_solver`, for all of them
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  bool compute_T_mesh(const NamedParameters& np = CGAL::parameters::default_values())
+  {
+    const auto common = internal::visitor_and_solver(np);
+    const bool has_exact_map = m_mapped && m_mapped->has_map();
+    return m_t_mesh ||
+           ((has_exact_map || compute_exact_map(common)) && trace_T_mesh(common) && regularize_T_mesh(common));
+  }
+
+  /// returns whether there is a T-mesh.
+  bool has_T_mesh() const { return m_t_mesh.has_value(); }
+  /// The T-mesh, and the mesh on its faces. \pre `has_T_mesh()`
+  Placed_T_mesh& t_mesh() { return *m_t_mesh; }
+  /// The T-mesh, and the mesh on its faces. \pre `has_T_mesh()`
+  const Placed_T_mesh& t_mesh() const { return *m_t_mesh; }
+
+  /// @}
+  /// \name Fit
+  /// @{
+
+  /// fits a T-spline surface, and refines the T-mesh until it is within the tolerance: `fit_adaptive_T_spline()`.
+  /// \param tolerance by the longest side of the bounding box of the mesh
+  /// \param spline is written upon success only
+  /// \param np named parameters of `fit_adaptive_T_spline()`
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  bool fit(const double tolerance, Spline& spline, const NamedParameters& np = CGAL::parameters::default_values())
+  {
+    if (!m_t_mesh)
+      return lacks("a T-mesh");
+    m_report.fit =
+        fit_adaptive_T_spline(m_t_mesh->t_mesh(), m_t_mesh->surface(), m_mesh, tolerance, spline, with_points(np));
+    return ended(m_report.fit, Status::FIT_FAILED, [&] { return describe(m_report.fit, m_t_mesh->t_mesh().graph()); });
+  }
+
+  /// @}
+
+private:
+  using Status = T_spline_approximation_status;
+  using Points =
+      boost::function_property_map<internal::Point_in_doubles<Point_map>,
+                                   typename boost::graph_traits<TriangleMesh>::vertex_descriptor, Kernel::Point_3>;
+
+  bool fail(const Status status, const std::string& reason)
+  {
+    m_report.status = status;
+    m_report.reason = reason;
+    return false;
+  }
+
+  bool succeed()
+  {
+    m_report.status = Status::SUCCESS;
+    m_report.reason.clear();
+    return true;
+  }
+
+  bool lacks(const std::string& what)
+  {
+    return fail(Status::MISSING_RESULT, "there is not yet " + what + ": run the stage before, or compute_T_mesh()");
+  }
+
+  // How a stage ended. \param reason says why it failed
+  template <typename StageReport, typename Reason>
+  bool ended(const StageReport& report, const Status failure, const Reason& reason)
+  {
+    if (report.success())
+      return succeed();
+    return fail(report.status == std::decay_t<decltype(report.status)>::INTERRUPTED ? Status::INTERRUPTED : failure,
+                reason());
+  }
+
+  // The same, for a stage that checks the mesh.
+  template <typename StageReport>
+  bool ended(const StageReport& report, const Triangle_mesh_report<TriangleMesh>& mesh, const Status failure)
+  {
+    if (report.status == std::decay_t<decltype(report.status)>::INVALID_MESH) {
+      m_report.mesh = mesh;
+      return fail(Status::INVALID_MESH, describe(mesh, m_mesh));
+    }
+    return ended(report, failure, [&] { return description(report); });
+  }
+
+  template <typename StageReport>
+  std::string description(const StageReport& report) const
+  {
+    if constexpr (std::is_same<StageReport, Similarity_map_report<TriangleMesh>>::value)
+      return describe(report, m_mesh, CGAL::parameters::vertex_point_map(Points(m_points)));
+    else
+      return describe(report, m_mesh);
+  }
+
+  bool set_checked(const Holonomy_signature_report<TriangleMesh>& report, const Signature& signature)
+  {
+    m_report.signature = report;
+    if (report.success())
+      set_signature(signature);
+    return ended(report, report.mesh, Status::INVALID_SIGNATURE);
+  }
+
+  void forget_map()
+  {
+    forget_T_mesh();
+    m_mapped.reset();
+  }
+  void forget_T_mesh()
+  {
+    m_t_mesh.reset();
+    m_report.fit = {};
+  }
+
+  // The named parameters of a stage, with the points of the mesh.
+  template <typename NamedParameters>
+  auto with_points(const NamedParameters& np) const
+  {
+    return np.vertex_point_map(Points(m_points));
+  }
+
+  // The mesh as it is becomes the mapped one.
+  template <typename HalfedgeUVMap>
+  void copy_mesh(const HalfedgeUVMap uv)
+  {
+    using Source = boost::graph_traits<TriangleMesh>;
+    using Target = boost::graph_traits<typename Mapped::Mesh>;
+    std::vector<std::pair<typename Source::halfedge_descriptor, typename Target::halfedge_descriptor>> halfedges;
+    CGAL::copy_face_graph(m_mesh, m_mapped->mesh(),
+                          CGAL::parameters::vertex_point_map(Points(m_points))
+                              .halfedge_to_halfedge_output_iterator(std::back_inserter(halfedges)));
+    for (const auto& [from, to] : halfedges)
+      if (!is_border(from, m_mesh)) {
+        const auto& p = get(uv, from);
+        put(m_mapped->uv(), to, Kernel::Point_2(CGAL::to_double(p.x()), CGAL::to_double(p.y())));
+      }
+  }
+
+  // What a map that was given does not tell.
+  void take_transitions()
+  {
+    const typename Mapped::Mesh& mesh = m_mapped->mesh();
+    for (const auto e : mesh.edges()) {
+      put(m_mapped->cut(), e, m_mapped->map().is_cut(e));
+      for (const auto h : {mesh.halfedge(e), mesh.opposite(mesh.halfedge(e))}) {
+        const Similarity_2<FT> t = m_mapped->map().transition(h);
+        put(m_mapped->transitions(), h,
+            Similarity_2<double>(t.quarter_turns(), CGAL::to_double(t.scale()), CGAL::to_double(t.u()),
+                                 CGAL::to_double(t.v())));
+      }
+    }
+  }
+
+  const TriangleMesh& m_mesh;
+  internal::Point_in_doubles<Point_map> m_points;
+  Cross_field m_cross_field;
+  std::optional<Signature> m_signature;
+  std::optional<Mapped> m_mapped;
+  std::optional<Placed_T_mesh> m_t_mesh;
+  Report m_report;
+};
+
+/// \cond
+template <typename TriangleMesh>
+T_spline_approximation(const TriangleMesh&) -> T_spline_approximation<TriangleMesh>;
+template <typename TriangleMesh, typename VertexPointMap>
+T_spline_approximation(const TriangleMesh&, const VertexPointMap&)
+    -> T_spline_approximation<TriangleMesh, VertexPointMap>;
+/// \endcond
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_APPROXIMATION_T_SPLINE_APPROXIMATION_H

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_DEFAULTS_H
+#define CGAL_T_SPLINES_DEFAULTS_H
+
+namespace CGAL {
+namespace T_splines {
+
+// What is used where nothing else is asked for, each value in this place only. Distances are given by the longest side of
+// the bounding box of the mesh.
+
+/// \ingroup PkgTSplinesIO
+/// How far apart ends of boundary edges may be that are one point: eight units in the last place of a coordinate of that
+/// size in a file with `float` numbers, and far below what the tolerance of a surface is.
+constexpr double default_merge_distance = 1e-6;
+
+/// \ingroup PkgTSplinesCrossField
+/// How much a merge of cones may raise the energy of the map's scale, on a component of the given genus.
+///
+/// Each cone costs about fifty control points of a surface within 0.5 %, and each merge makes the map's scale vary more.
+/// Of 3, 4, 5, 6 and 9, these limits led to the fewest control points on 25 meshes. A sphere keeps eight cones whatever the
+/// limit is; on a torus higher limits take away the last cones, and thin parts are sheared.
+constexpr double default_energy_change(const int genus)
+{
+  return genus == 0 ? 6 : genus == 1 ? 3 : 4;
+}
+
+/// \ingroup PkgTSplinesSimilarityMap
+/// The largest deviation of a map from the prescribed angles, in radians.
+constexpr double default_residual_tolerance = 1e-12;
+
+/// \ingroup PkgTSplinesSimilarityMap
+/// The most steps of Newton's method for the metric of a map.
+constexpr int default_number_of_newton_steps = 100;
+
+/// \ingroup PkgTSplinesApproximation
+/// The largest distance between mesh and surface.
+constexpr double default_tolerance = 0.005;
+
+/// \ingroup PkgTSplinesSpline
+/// The weight of the thin-plate energy of a fit, without unit: it smooths over half of the distance between samples.
+constexpr double default_fairness = 0.1;
+
+/// \ingroup PkgTSplinesSpline
+/// A fit may always have as many control points as this: as many as a surface may need that is worth having.
+constexpr int always_allowed_control_points = 5000;
+
+/// \ingroup PkgTSplinesSpline
+/// Into how many parts a side of a face of the T-mesh is divided, at least, where a surface is tessellated.
+constexpr int default_tessellation_resolution = 8;
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_DEFAULTS_H
