@@ -147,6 +147,21 @@ private:
   int m_error = 0;
 };
 
+namespace internal {
+
+/// What the functions that write to a file have in common: it appears when it is complete, or not at all.
+/// \param write is called with a stream
+/// \return the error of the operating system
+template <typename Write>
+std::error_code write_file(const std::string& filename, const Write& write)
+{
+  Atomic_file file(filename);
+  write(file.stream());
+  file.finish() && file.commit();
+  return std::error_code(file.error(), std::generic_category());
+}
+
+} // namespace internal
 } // namespace T_splines
 } // namespace CGAL
 

@@ -104,10 +104,7 @@ template <typename FaceGraph, typename HalfedgeUVMap,
 std::error_code write_map_obj(const std::string& filename, const FaceGraph& mesh, const HalfedgeUVMap uv_map,
                               const NamedParameters& np = CGAL::parameters::default_values())
 {
-  Atomic_file file(filename);
-  write_map_obj(file.stream(), mesh, uv_map, np);
-  file.finish() && file.commit();
-  return std::error_code(file.error(), std::generic_category());
+  return internal::write_file(filename, [&](std::ostream& out) { write_map_obj(out, mesh, uv_map, np); });
 }
 
 } // namespace T_splines

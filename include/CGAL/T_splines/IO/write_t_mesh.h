@@ -220,11 +220,7 @@ template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_n
 std::error_code write_t_mesh(const std::string& filename, const TMesh& t_mesh,
                              const NamedParameters& np = CGAL::parameters::default_values())
 {
-  Atomic_file file(filename);
-  const auto sink = [&file](const std::string_view text) { file.write(text); };
-  internal::format_t_mesh(sink, t_mesh, np);
-  file.finish() && file.commit();
-  return std::error_code(file.error(), std::generic_category());
+  return internal::write_file(filename, [&](std::ostream& out) { write_t_mesh(out, t_mesh, np); });
 }
 
 } // namespace T_splines

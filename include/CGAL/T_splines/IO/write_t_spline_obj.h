@@ -81,10 +81,7 @@ template <typename Surface>
 std::error_code write_t_spline_obj(const std::string& filename, const Surface& surface,
                                    const Tessellation_resolution& resolution = {})
 {
-  Atomic_file file(filename);
-  write_t_spline_obj(file.stream(), surface, resolution);
-  file.finish() && file.commit();
-  return std::error_code(file.error(), std::generic_category());
+  return internal::write_file(filename, [&](std::ostream& out) { write_t_spline_obj(out, surface, resolution); });
 }
 
 } // namespace T_splines

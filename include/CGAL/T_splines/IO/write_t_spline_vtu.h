@@ -132,11 +132,7 @@ std::error_code write_t_spline_vtu(std::ostream& out, const CompiledTSpline& sur
 template <typename CompiledTSpline>
 std::error_code write_t_spline_vtu(const std::string& filename, const CompiledTSpline& surface)
 {
-  Atomic_file file(filename);
-  const auto sink = [&file](const std::string_view text) { file.write(text); };
-  internal::format_t_spline_vtu(sink, surface);
-  file.finish() && file.commit();
-  return std::error_code(file.error(), std::generic_category());
+  return internal::write_file(filename, [&](std::ostream& out) { write_t_spline_vtu(out, surface); });
 }
 
 } // namespace T_splines
