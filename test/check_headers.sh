@@ -45,24 +45,30 @@ complain "No include guard named after the path:" \
 complain "Public headers that CGAL/T_splines.h does not include:" \
   "$(for h in "${headers[@]}"; do
        case "$h" in
-         */internal/* | CGAL/T_splines.h) ;;
+         */internal/* | */support/* | CGAL/T_splines.h) ;;
          *) grep -qx "#include <$h>" CGAL/T_splines.h || echo "$h" ;;
        esac
      done)"
 
-# ROOM:OTHER, ROOM may include public headers of OTHER; ROOM:OTHER/internal, also internal ones.
-doors=" Cross_field:Solver Similarity_map:Cross_field Similarity_map:Solver T_mesh:Similarity_map Spline:T_mesh
-  Spline:Solver Spline:Similarity_map IO:T_mesh IO:Spline
-  Approximation:Cross_field Approximation:Similarity_map Approximation:T_mesh Approximation:Spline
-  Cross_field:Solver/internal Similarity_map:Cross_field/internal T_mesh:Similarity_map/internal
-  T_mesh:Cross_field/internal Spline:T_mesh/internal
-  Similarity_map:Solver/internal Spline:Solver/internal "
+# ROOM:OTHER, ROOM may include public headers of OTHER; ROOM:OTHER/support, also those of its folder support. The folder
+# internal of a room is its own.
+doors=" Cross_field:Solver Cross_field:Solver/support
+  Similarity_map:Cross_field Similarity_map:Cross_field/support Similarity_map:Solver Similarity_map:Solver/support
+  Tracing:Similarity_map Tracing:Similarity_map/support Tracing:T_mesh
+  Spline:T_mesh Spline:T_mesh/support Spline:Solver Spline:Solver/support
+  IO:Cross_field IO:Cross_field/support IO:T_mesh IO:Spline
+  Approximation:Cross_field Approximation:Similarity_map Approximation:Tracing Approximation:T_mesh
+  Approximation:Spline "
+used=$(for h in "${headers[@]}"; do
+    room=$(expr "$h" : 'CGAL/T_splines/\([A-Z][A-Za-z_]*\)/') || continue
+    sed -nE "s@^#include <CGAL/T_splines/([A-Z][A-Za-z_]*)(/internal|/support)?/.*@$room:\1\2 $h@p" "$h"
+  done | sort -u)
 complain "Includes from room to room that the page \"Rooms\" of the manual does not name:" \
-  "$(for h in "${headers[@]}"; do
-       room=$(expr "$h" : 'CGAL/T_splines/\([A-Z][A-Za-z_]*\)/') || continue
-       sed -nE 's|^#include <CGAL/T_splines/([A-Z][A-Za-z_]*)(/internal)?/.*|\1\2|p' "$h" | sort -u | while read -r other; do
-         [ "${other%/internal}" = "$room" ] || [[ $doors == *[[:space:]]"$room:$other"[[:space:]]* ]] || echo "$h: $other"
-       done
-     done)"
+  "$(while read -r door header; do
+       room=${door%%:*} other=${door#*:}
+       [ "${other%%/*}" = "$room" ] || [[ $doors == *[[:space:]]"$door"[[:space:]]* ]] || echo "$header: $other"
+     done <<< "$used")"
+complain "Doors that no header uses:" \
+  "$(for door in $doors; do grep -q "^$door " <<< "$used" || echo "$door"; done)"
 
 exit $((failures > 0))

@@ -47,7 +47,7 @@ complain "Warnings of doxygen:" "$(cat "$work/warnings")"
 
 # What doxygen does not look at.
 cd "$project"
-mapfile -t headers < <(find include -name '*.h' -not -path '*/internal/*' | sort)
+mapfile -t headers < <(find include -name '*.h' -not -path '*/internal/*' -not -path '*/support/*' | sort)
 complain "Groups that PackageDescription.txt does not define:" \
   "$(grep -rhoE '\\ingroup +[[:alnum:]_]+' "${headers[@]}" doc/T_splines | sort -u | while read -r _ group; do
        grep -qE "\\\\defgroup $group " doc/T_splines/PackageDescription.txt || echo "$group"

@@ -5,10 +5,10 @@
 #define T_SPLINES_BENCHMARK_BENCHMARK_INPUT_H
 
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
-#include <CGAL/T_splines/Cross_field/IO/read_cones.h>
 #include <CGAL/T_splines/Cross_field/compute_smooth_cross_field.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
+#include <CGAL/T_splines/IO/read_cones.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

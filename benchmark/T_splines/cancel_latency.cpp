@@ -21,18 +21,18 @@
 #include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>
 #include <CGAL/T_splines/Spline/measure_T_spline_deviation.h>
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
+#include <CGAL/T_splines/T_mesh/Carried_anchors.h>
 #include <CGAL/T_splines/T_mesh/Carried_surface.h>
 #include <CGAL/T_splines/T_mesh/Surface_face_size.h>
 #include <CGAL/T_splines/T_mesh/T_mesh.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_roots.h>
-#include <CGAL/T_splines/T_mesh/carry_surface.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
-#include <CGAL/T_splines/T_mesh/place_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
-#include <CGAL/T_splines/T_mesh/trace_motorcycle_graph.h>
+#include <CGAL/T_splines/Tracing/carry_surface.h>
+#include <CGAL/T_splines/Tracing/place_T_mesh.h>
+#include <CGAL/T_splines/Tracing/trace_motorcycle_graph.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Exact_rational.h>
@@ -334,11 +334,11 @@ private:
         traced_surface = std::move(surface);
       return is_cancelled;
     });
-    std::optional<T::T_mesh_roots<Mesh, Mesh, FT>> roots;
+    std::optional<T::Carried_anchors<Mesh, Mesh, FT>> roots;
     m_measure("regularize_T_mesh()", [&](const auto& visitor) {
       Traced copy = *m_traced;
       T::Carried_surface<Mesh> surface = traced_surface;
-      T::T_mesh_roots<Mesh, Mesh, FT> own_roots(copy.t_mesh.graph(), copy.anchors);
+      T::Carried_anchors<Mesh, Mesh, FT> own_roots(copy.t_mesh.graph(), copy.anchors);
       const auto report = T::regularize_T_mesh(
           copy.t_mesh, P::observer(T::T_mesh_observer_pair(surface.observer(), own_roots)).visitor(visitor));
       if (report.success()) {

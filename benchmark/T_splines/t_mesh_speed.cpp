@@ -12,7 +12,7 @@
 #include <CGAL/T_splines/Similarity_map/compute_similarity_metric.h>
 #include <CGAL/T_splines/Similarity_map/make_exactly_seamless.h>
 #include <CGAL/T_splines/T_mesh/T_mesh.h>
-#include <CGAL/T_splines/T_mesh/trace_motorcycle_graph.h>
+#include <CGAL/T_splines/Tracing/trace_motorcycle_graph.h>
 
 #include <algorithm>
 #include <cstddef>

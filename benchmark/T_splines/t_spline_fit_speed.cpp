@@ -7,6 +7,7 @@
 #include "benchmark_input.h"
 #include "measurement.h"
 
+#include <CGAL/T_splines/Approximation/Surface_T_mesh.h>
 #include <CGAL/T_splines/Cross_field/reduce_cones.h>
 #include <CGAL/T_splines/Similarity_map/Seamless_map.h>
 #include <CGAL/T_splines/Similarity_map/compute_seamless_similarity_map.h>
@@ -14,18 +15,17 @@
 #include <CGAL/T_splines/Spline/T_spline.h>
 #include <CGAL/T_splines/Spline/T_spline_surface.h>
 #include <CGAL/T_splines/Spline/fit_T_spline.h>
-#include <CGAL/T_splines/Approximation/Surface_T_mesh.h>
 #include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>
 #include <CGAL/T_splines/T_mesh/Carried_points.h>
 #include <CGAL/T_splines/T_mesh/Surface_face_size.h>
 #include <CGAL/T_splines/T_mesh/T_mesh.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/carry_surface.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
 #include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
-#include <CGAL/T_splines/T_mesh/sample_T_mesh.h>
-#include <CGAL/T_splines/T_mesh/trace_motorcycle_graph.h>
+#include <CGAL/T_splines/Tracing/carry_surface.h>
+#include <CGAL/T_splines/Tracing/sample_T_mesh.h>
+#include <CGAL/T_splines/Tracing/trace_motorcycle_graph.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>

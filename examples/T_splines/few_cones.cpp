@@ -8,11 +8,11 @@
 // MAXIMUM is the number of cones allowed; without it, cones are merged as long as this distorts the map little.
 
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
-#include <CGAL/T_splines/Cross_field/IO/write_cones.h>
 #include <CGAL/T_splines/Cross_field/compute_smooth_cross_field.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
 #include <CGAL/T_splines/Cross_field/reduce_cones.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
+#include <CGAL/T_splines/IO/write_cones.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -62,7 +62,7 @@ int main(int argc, char* argv[])
     points.add(places[v].face, places[v].u, places[v].v, mesh.point(v));
   const T::T_mesh_coordinates coordinates(t_mesh);
   T::Surface_face_size face_size(coordinates, points);
-  const T::T_mesh_roots<Mesh, Mesh, FT> roots(t_mesh.graph(), anchors);
+  const T::Carried_anchors<Mesh, Mesh, FT> roots(t_mesh.graph(), anchors);
   const auto with_observer = T::parameters::observer(T::T_mesh_observer_pair(roots, face_size.observer()));
 
   const auto regularization = T::regularize_T_mesh(t_mesh, with_observer);

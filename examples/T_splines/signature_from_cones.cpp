@@ -8,9 +8,9 @@
 // Without a file, the first vertex becomes a cone that carries all the curvature of a connected mesh.
 
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
-#include <CGAL/T_splines/Cross_field/IO/read_cones.h>
 #include <CGAL/T_splines/Cross_field/check_holonomy_signature.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
+#include <CGAL/T_splines/IO/read_cones.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -5,9 +5,9 @@
 //
 //   smooth_cross_field [MESH [OUTPUT.rawfield [CURVATURE_ALIGNMENT]]]
 
-#include <CGAL/T_splines/Cross_field/IO/write_rawfield.h>
 #include <CGAL/T_splines/Cross_field/compute_smooth_cross_field.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
+#include <CGAL/T_splines/IO/write_rawfield.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -8,12 +8,12 @@
 
 #include "Map_checker.h"
 
-#include <CGAL/T_splines/Cross_field/IO/read_cones.h>
-#include <CGAL/T_splines/Cross_field/IO/read_rawfield.h>
 #include <CGAL/T_splines/Cross_field/compute_smooth_cross_field.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
+#include <CGAL/T_splines/IO/read_cones.h>
 #include <CGAL/T_splines/IO/read_map_obj.h>
+#include <CGAL/T_splines/IO/read_rawfield.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -22,7 +22,7 @@ not virtual, the algorithm calls those of the type that it was given.
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::T_splines::T_mesh_observer}
 \cgalHasModels{CGAL::T_splines::T_mesh_observer_pair}
-\cgalHasModels{CGAL::T_splines::T_mesh_roots}
+\cgalHasModels{CGAL::T_splines::Carried_anchors}
 \cgalHasModels{CGAL::T_splines::Carried_points::Observer}
 \cgalHasModels{CGAL::T_splines::Carried_surface::Observer}
 \cgalHasModels{CGAL::T_splines::Surface_face_size::Observer}

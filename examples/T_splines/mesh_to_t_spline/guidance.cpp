@@ -3,13 +3,13 @@
 
 #include "guidance.h"
 
-#include <CGAL/T_splines/Cross_field/IO/read_cone_angles.h>
-#include <CGAL/T_splines/Cross_field/IO/read_cones.h>
-#include <CGAL/T_splines/Cross_field/IO/read_crossfield.h>
-#include <CGAL/T_splines/Cross_field/IO/read_ffield.h>
-#include <CGAL/T_splines/Cross_field/IO/read_rawfield.h>
-#include <CGAL/T_splines/Cross_field/IO/read_rosy.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
+#include <CGAL/T_splines/IO/read_cone_angles.h>
+#include <CGAL/T_splines/IO/read_cones.h>
+#include <CGAL/T_splines/IO/read_crossfield.h>
+#include <CGAL/T_splines/IO/read_ffield.h>
+#include <CGAL/T_splines/IO/read_rawfield.h>
+#include <CGAL/T_splines/IO/read_rosy.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <cstddef>

@@ -4,8 +4,8 @@
 #include "t_mesh_stage.h"
 
 #include <CGAL/T_splines/Similarity_map/Exact_map_report.h>
-#include <CGAL/T_splines/T_mesh/Motorcycle_graph_report.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
+#include <CGAL/T_splines/Tracing/Motorcycle_graph_report.h>
 
 #include <CGAL/Named_function_parameters.h>
 

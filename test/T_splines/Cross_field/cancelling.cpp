@@ -4,14 +4,14 @@
 #include "Counting_visitor.h"
 #include "test_meshes.h"
 
-#include <CGAL/T_splines/Cross_field/IO/read_rawfield.h>
-#include <CGAL/T_splines/Cross_field/IO/write_rawfield.h>
 #include <CGAL/T_splines/Cross_field/check_holonomy_signature.h>
 #include <CGAL/T_splines/Cross_field/check_triangle_mesh.h>
 #include <CGAL/T_splines/Cross_field/compute_smooth_cross_field.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
 #include <CGAL/T_splines/Cross_field/reduce_cones.h>
+#include <CGAL/T_splines/IO/read_rawfield.h>
+#include <CGAL/T_splines/IO/write_rawfield.h>
 
 #include <catch2/catch.hpp>
 

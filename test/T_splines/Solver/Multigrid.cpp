@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/T_splines/Solver/internal/Hermitian_rows.h>
-#include <CGAL/T_splines/Solver/internal/Multigrid.h>
-#include <CGAL/T_splines/Solver/internal/multigrid_iterations.h>
+#include <CGAL/T_splines/Solver/support/Hermitian_rows.h>
+#include <CGAL/T_splines/Solver/support/Multigrid.h>
+#include <CGAL/T_splines/Solver/support/multigrid_iterations.h>
 #include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/number_type_config.h>

@@ -6,8 +6,8 @@
 
 #include <CGAL/T_splines/Similarity_map/make_exactly_seamless.h>
 #include <CGAL/T_splines/T_mesh/T_mesh.h>
-#include <CGAL/T_splines/T_mesh/carry_surface.h>
-#include <CGAL/T_splines/T_mesh/trace_motorcycle_graph.h>
+#include <CGAL/T_splines/Tracing/carry_surface.h>
+#include <CGAL/T_splines/Tracing/trace_motorcycle_graph.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>

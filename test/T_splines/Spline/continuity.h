@@ -4,7 +4,7 @@
 #ifndef T_SPLINES_TEST_SPLINE_CONTINUITY_H
 #define T_SPLINES_TEST_SPLINE_CONTINUITY_H
 
-#include <CGAL/T_splines/Similarity_map/Similarity_2.h>
+#include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/internal/converted_number.h>
 

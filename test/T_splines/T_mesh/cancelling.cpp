@@ -4,17 +4,17 @@
 #include "Counting_visitor.h"
 #include "Spline/Carried_box.h"
 
+#include <CGAL/T_splines/T_mesh/Carried_anchors.h>
 #include <CGAL/T_splines/T_mesh/Surface_face_size.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_roots.h>
 #include <CGAL/T_splines/T_mesh/grade_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/is_admissible.h>
 #include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
-#include <CGAL/T_splines/T_mesh/place_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
-#include <CGAL/T_splines/T_mesh/sample_T_mesh.h>
+#include <CGAL/T_splines/Tracing/place_T_mesh.h>
+#include <CGAL/T_splines/Tracing/sample_T_mesh.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <catch2/catch.hpp>
@@ -173,7 +173,7 @@ TEST_CASE("The placement of a T-mesh can be cancelled", "[cancel]")
 {
   const Scene scene;
   T_mesh t_mesh = scene.t_mesh;
-  T::T_mesh_roots<Mesh, Mesh, FT> roots(t_mesh.graph(), scene.anchors);
+  T::Carried_anchors<Mesh, Mesh, FT> roots(t_mesh.graph(), scene.anchors);
   REQUIRE(T::make_spline_compatible(t_mesh, P::observer(roots)));
   check_cancelling([&](const auto& visitor) {
     return T::place_T_mesh(scene.map, t_mesh, roots, CGAL::parameters::visitor(visitor)).status ==

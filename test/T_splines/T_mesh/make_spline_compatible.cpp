@@ -13,7 +13,7 @@
 
 #include "Spline/Spline_mesh.h"
 #include "T_mesh/Development.h"
-#include "T_mesh/Traced_map.h"
+#include "Tracing/Traced_map.h"
 #include "T_mesh/test_t_meshes.h"
 
 #include <CGAL/Exact_rational.h>

@@ -4,8 +4,8 @@
 #ifndef CGAL_T_SPLINES_APPROXIMATION_MAPPED_MESH_H
 #define CGAL_T_SPLINES_APPROXIMATION_MAPPED_MESH_H
 
+#include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/Seamless_map.h>
-#include <CGAL/T_splines/Similarity_map/Similarity_2.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>

@@ -5,16 +5,16 @@
 #define CGAL_T_SPLINES_APPROXIMATION_SURFACE_T_MESH_H
 
 #include <CGAL/T_splines/Similarity_map/Seamless_map.h>
+#include <CGAL/T_splines/T_mesh/Carried_anchors.h>
 #include <CGAL/T_splines/T_mesh/Carried_surface.h>
-#include <CGAL/T_splines/T_mesh/Motorcycle_graph_report.h>
 #include <CGAL/T_splines/T_mesh/T_mesh.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_place.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_roots.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
-#include <CGAL/T_splines/T_mesh/carry_surface.h>
-#include <CGAL/T_splines/T_mesh/place_T_mesh.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_place.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
-#include <CGAL/T_splines/T_mesh/trace_motorcycle_graph.h>
+#include <CGAL/T_splines/Tracing/Motorcycle_graph_report.h>
+#include <CGAL/T_splines/Tracing/carry_surface.h>
+#include <CGAL/T_splines/Tracing/place_T_mesh.h>
+#include <CGAL/T_splines/Tracing/trace_motorcycle_graph.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
@@ -50,7 +50,7 @@ public:
   /// The mesh, on the T-mesh.
   using Surface = Carried_surface<Graph>;
   /// What holds the T-mesh to the map.
-  using Roots = T_mesh_roots<MappedMesh, Graph, FT>;
+  using Roots = Carried_anchors<MappedMesh, Graph, FT>;
   /// Edge -> its course.
   using Polyline_map = typename Graph::template Property_map<typename Graph::Edge_index, std::vector<Kernel::Point_3>>;
   /// Follows changes of the T-mesh.

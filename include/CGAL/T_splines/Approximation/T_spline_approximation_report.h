@@ -11,8 +11,8 @@
 #include <CGAL/T_splines/Similarity_map/Exact_map_report.h>
 #include <CGAL/T_splines/Similarity_map/Similarity_map_report.h>
 #include <CGAL/T_splines/Spline/Adaptive_fit_report.h>
-#include <CGAL/T_splines/T_mesh/Motorcycle_graph_report.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
+#include <CGAL/T_splines/Tracing/Motorcycle_graph_report.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

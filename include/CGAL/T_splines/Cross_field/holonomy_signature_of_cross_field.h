@@ -7,7 +7,7 @@
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
 #include <CGAL/T_splines/Cross_field/internal/Closed_mesh.h>
-#include <CGAL/T_splines/Cross_field/internal/cross_angles.h>
+#include <CGAL/T_splines/Cross_field/support/cross_angles.h>
 #include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>

@@ -11,11 +11,11 @@
 #include <CGAL/T_splines/Cross_field/internal/Cone_paths.h>
 #include <CGAL/T_splines/Cross_field/internal/Cone_reduction.h>
 #include <CGAL/T_splines/Cross_field/internal/Scale_energy.h>
-#include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
 #include <CGAL/T_splines/Cross_field/internal/split_targets.h>
 #include <CGAL/T_splines/Solver/default_solver.h>
 #include <CGAL/T_splines/defaults.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/mesh_components.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -4,8 +4,8 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_SEAMLESS_MAP_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_SEAMLESS_MAP_H
 
-#include <CGAL/T_splines/Similarity_map/Similarity_2.h>
-#include <CGAL/T_splines/Similarity_map/internal/Seamless_layout.h>
+#include <CGAL/T_splines/Similarity_2.h>
+#include <CGAL/T_splines/Similarity_map/support/Seamless_layout.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 
 #include <CGAL/Exact_rational.h>

@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_COMPUTE_SEAMLESS_SIMILARITY_MAP_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_COMPUTE_SEAMLESS_SIMILARITY_MAP_H
 
-#include <CGAL/T_splines/Similarity_map/Similarity_2.h>
+#include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/internal/Refined_mesh_writer.h>
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_map_computation.h>
 #include <CGAL/T_splines/Similarity_map/internal/converged_metric.h>

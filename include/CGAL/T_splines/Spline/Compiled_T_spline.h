@@ -8,7 +8,7 @@
 #include <CGAL/T_splines/Spline/Surface_jet.h>
 #include <CGAL/T_splines/Spline/internal/rational_jet.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
-#include <CGAL/T_splines/T_mesh/internal/T_mesh_arrays.h>
+#include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 
 #include <CGAL/assertions.h>

@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_T_MESH_CARRIED_SURFACE_H
 #define CGAL_T_SPLINES_T_MESH_CARRIED_SURFACE_H
 
-#include <CGAL/T_splines/Similarity_map/Similarity_2.h>
+#include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/internal/triangle_meets_rectangle.h>
 #include <CGAL/T_splines/internal/converted_number.h>

@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_T_MESH_T_MESH_OBSERVER_H
 #define CGAL_T_SPLINES_T_MESH_T_MESH_OBSERVER_H
 
-#include <CGAL/T_splines/Similarity_map/Similarity_2.h>
+#include <CGAL/T_splines/Similarity_2.h>
 
 #include <boost/graph/graph_traits.hpp>
 

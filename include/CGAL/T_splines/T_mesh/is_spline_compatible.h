@@ -6,8 +6,8 @@
 
 #include <CGAL/T_splines/T_mesh/Spline_compatibility_report.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/internal/Spline_structure.h>
 #include <CGAL/T_splines/T_mesh/is_admissible.h>
+#include <CGAL/T_splines/T_mesh/support/Spline_structure.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Progress.h>
 

@@ -7,12 +7,12 @@
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
 #include <CGAL/T_splines/Cross_field/check_triangle_mesh.h>
-#include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
-#include <CGAL/T_splines/Cross_field/internal/homology_loops.h>
-#include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
+#include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
+#include <CGAL/T_splines/Cross_field/support/homology_loops.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/mesh_components.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -5,7 +5,7 @@
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_CONNECTION_LAPLACIAN_H
 
 #include <CGAL/T_splines/Cross_field/internal/Vertex_frames.h>
-#include <CGAL/T_splines/Solver/internal/Hermitian_rows.h>
+#include <CGAL/T_splines/Solver/support/Hermitian_rows.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 

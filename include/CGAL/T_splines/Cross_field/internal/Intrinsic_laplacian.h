@@ -4,12 +4,12 @@
 #ifndef CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_INTRINSIC_LAPLACIAN_H
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_INTRINSIC_LAPLACIAN_H
 
-#include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
 #include <CGAL/T_splines/Cross_field/internal/Vertex_frames.h>
-#include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
+#include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/mesh_components.h>
 
 #include <algorithm>
 #include <cstddef>

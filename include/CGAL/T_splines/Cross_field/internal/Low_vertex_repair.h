@@ -4,11 +4,11 @@
 #ifndef CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_LOW_VERTEX_REPAIR_H
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_LOW_VERTEX_REPAIR_H
 
-#include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
 #include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
-#include <CGAL/T_splines/Solver/internal/Hermitian_rows.h>
-#include <CGAL/T_splines/Solver/internal/Multigrid.h>
-#include <CGAL/T_splines/Solver/internal/multigrid_iterations.h>
+#include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
+#include <CGAL/T_splines/Solver/support/Hermitian_rows.h>
+#include <CGAL/T_splines/Solver/support/Multigrid.h>
+#include <CGAL/T_splines/Solver/support/multigrid_iterations.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 

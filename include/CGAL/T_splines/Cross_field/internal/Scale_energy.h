@@ -6,11 +6,11 @@
 
 #include <CGAL/T_splines/Cross_field/internal/Edge_distances.h>
 #include <CGAL/T_splines/Cross_field/internal/Intrinsic_laplacian.h>
-#include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
-#include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
 #include <CGAL/T_splines/Cross_field/internal/strip_turning.h>
+#include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/mesh_components.h>
 
 #include <CGAL/number_type_config.h>
 

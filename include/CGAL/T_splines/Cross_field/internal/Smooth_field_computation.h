@@ -6,15 +6,15 @@
 
 #include <CGAL/T_splines/Cross_field/internal/Connection_laplacian.h>
 #include <CGAL/T_splines/Cross_field/internal/Low_vertex_repair.h>
-#include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
 #include <CGAL/T_splines/Cross_field/internal/Vertex_frames.h>
 #include <CGAL/T_splines/Cross_field/internal/face_crosses.h>
-#include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
 #include <CGAL/T_splines/Cross_field/internal/principal_crosses.h>
-#include <CGAL/T_splines/Solver/internal/Multigrid.h>
-#include <CGAL/T_splines/Solver/internal/multigrid_iterations.h>
+#include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
+#include <CGAL/T_splines/Solver/support/Multigrid.h>
+#include <CGAL/T_splines/Solver/support/multigrid_iterations.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/mesh_components.h>
 
 #include <algorithm>
 #include <cmath>

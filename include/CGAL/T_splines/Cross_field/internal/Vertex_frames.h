@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_VERTEX_FRAMES_H
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_VERTEX_FRAMES_H
 
-#include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
+#include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 

@@ -4,9 +4,9 @@
 #ifndef CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_FACE_CROSSES_H
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_FACE_CROSSES_H
 
-#include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
 #include <CGAL/T_splines/Cross_field/internal/Vertex_frames.h>
 #include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
+#include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 

@@ -4,8 +4,8 @@
 #ifndef CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_FIELD_HOLONOMY_H
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_FIELD_HOLONOMY_H
 
-#include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
 #include <CGAL/T_splines/Cross_field/internal/strip_turning.h>
+#include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <CGAL/number_type_config.h>

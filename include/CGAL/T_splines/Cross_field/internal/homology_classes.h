@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_HOMOLOGY_CLASSES_H
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_HOMOLOGY_CLASSES_H
 
-#include <CGAL/T_splines/Cross_field/internal/homology_loops.h>
+#include <CGAL/T_splines/Cross_field/support/homology_loops.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 

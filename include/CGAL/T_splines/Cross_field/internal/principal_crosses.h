@@ -4,8 +4,8 @@
 #ifndef CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_PRINCIPAL_CROSSES_H
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_PRINCIPAL_CROSSES_H
 
-#include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
 #include <CGAL/T_splines/Cross_field/internal/Vertex_frames.h>
+#include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <cmath>

@@ -6,10 +6,10 @@
 
 #include <CGAL/T_splines/Cross_field/internal/Edge_distances.h>
 #include <CGAL/T_splines/Cross_field/internal/Scale_energy.h>
-#include <CGAL/T_splines/Cross_field/internal/Triangle_geometry.h>
-#include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
+#include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/mesh_components.h>
 
 #include <CGAL/number_type_config.h>
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_BORDER_LINES_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_BORDER_LINES_H
 
-#include <CGAL/T_splines/Similarity_map/Similarity_2.h>
+#include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>
 #include <CGAL/T_splines/Similarity_map/internal/Isoline_search.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>

@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_CUT_TRANSITIONS_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_CUT_TRANSITIONS_H
 
-#include <CGAL/T_splines/Similarity_map/Similarity_2.h>
+#include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/internal/Dual_loops.h>
 #include <CGAL/T_splines/Similarity_map/internal/Flat_layout.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>

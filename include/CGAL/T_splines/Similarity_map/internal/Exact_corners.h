@@ -8,10 +8,10 @@
 #include <CGAL/T_splines/Similarity_map/internal/Cut_map.h>
 #include <CGAL/T_splines/Similarity_map/internal/Exact_transitions.h>
 #include <CGAL/T_splines/Similarity_map/internal/Free_points.h>
-#include <CGAL/T_splines/Similarity_map/internal/Seamless_layout.h>
 #include <CGAL/T_splines/Similarity_map/internal/Sector_values.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
 #include <CGAL/T_splines/Similarity_map/internal/uv_orientation.h>
+#include <CGAL/T_splines/Similarity_map/support/Seamless_layout.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 
 #include <CGAL/Algebraic_structure_traits.h>

@@ -10,9 +10,9 @@
 #include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>
 #include <CGAL/T_splines/Similarity_map/internal/Exact_corners.h>
 #include <CGAL/T_splines/Similarity_map/internal/Exact_transitions.h>
-#include <CGAL/T_splines/Similarity_map/internal/Seamless_layout.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
 #include <CGAL/T_splines/Similarity_map/internal/uv_orientation.h>
+#include <CGAL/T_splines/Similarity_map/support/Seamless_layout.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/exactness.h>

@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_EXACT_TRANSITIONS_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_EXACT_TRANSITIONS_H
 
-#include <CGAL/T_splines/Similarity_map/Similarity_2.h>
+#include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/internal/Branch_fit.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_forest.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>

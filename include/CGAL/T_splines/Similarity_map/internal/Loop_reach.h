@@ -4,10 +4,10 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_LOOP_REACH_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_LOOP_REACH_H
 
-#include <CGAL/T_splines/Cross_field/internal/homology_loops.h>
-#include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
+#include <CGAL/T_splines/Cross_field/support/homology_loops.h>
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/mesh_components.h>
 
 #include <algorithm>
 #include <array>

@@ -5,13 +5,13 @@
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_METRIC_COMPUTATION_H
 
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
-#include <CGAL/T_splines/Cross_field/internal/mesh_components.h>
 #include <CGAL/T_splines/Similarity_map/Flip_policy.h>
 #include <CGAL/T_splines/Similarity_map/internal/Newton_iteration.h>
 #include <CGAL/T_splines/Similarity_map/internal/Newton_system.h>
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/mesh_components.h>
 
 #include <array>
 #include <cmath>

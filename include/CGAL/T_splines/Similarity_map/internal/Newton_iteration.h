@@ -9,8 +9,8 @@
 #include <CGAL/T_splines/Similarity_map/internal/Newton_system.h>
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
 #include <CGAL/T_splines/Similarity_map/internal/first_degeneracy.h>
-#include <CGAL/T_splines/Solver/internal/Interruptible_preconditioner.h>
 #include <CGAL/T_splines/Solver/preconditioned_conjugate_gradients.h>
+#include <CGAL/T_splines/Solver/support/Interruptible_preconditioner.h>
 #include <CGAL/T_splines/defaults.h>
 #include <CGAL/T_splines/internal/Progress.h>
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_SECTOR_VALUES_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_SECTOR_VALUES_H
 
-#include <CGAL/T_splines/Similarity_map/Similarity_2.h>
+#include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>
 #include <CGAL/T_splines/Similarity_map/internal/Plane_vector.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>

@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_SIMILARITY_MAP_COMPUTATION_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_SIMILARITY_MAP_COMPUTATION_H
 
-#include <CGAL/T_splines/Similarity_map/Similarity_2.h>
+#include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/internal/Common_subdivision.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_transitions.h>
 #include <CGAL/T_splines/Similarity_map/internal/Edge_crossings.h>

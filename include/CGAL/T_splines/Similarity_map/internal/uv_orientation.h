@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_UV_ORIENTATION_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_UV_ORIENTATION_H
 
-#include <CGAL/T_splines/Similarity_map/internal/Seamless_layout.h>
+#include <CGAL/T_splines/Similarity_map/support/Seamless_layout.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Interval_nt.h>

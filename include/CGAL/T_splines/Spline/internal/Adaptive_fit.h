@@ -25,9 +25,9 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/grade_T_mesh.h>
-#include <CGAL/T_splines/T_mesh/internal/Face_ancestors.h>
-#include <CGAL/T_splines/T_mesh/internal/Split_position.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
+#include <CGAL/T_splines/T_mesh/support/Face_ancestors.h>
+#include <CGAL/T_splines/T_mesh/support/Split_position.h>
 #include <CGAL/T_splines/defaults.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>

@@ -4,10 +4,10 @@
 #ifndef CGAL_T_SPLINES_SPLINE_INTERNAL_CHORD_ERRORS_H
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_CHORD_ERRORS_H
 
-#include <CGAL/T_splines/Similarity_map/Similarity_2.h>
+#include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/Spline/internal/Bezier_part.h>
 #include <CGAL/T_splines/Spline/internal/Parameter_correction.h>
-#include <CGAL/T_splines/T_mesh/internal/T_mesh_arrays.h>
+#include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
 
 #include <CGAL/number_type_basic.h>
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_SPLINE_INTERNAL_FACE_TESSELLATION_H
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_FACE_TESSELLATION_H
 
-#include <CGAL/T_splines/T_mesh/internal/T_mesh_arrays.h>
+#include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
 #include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/number_type_basic.h>

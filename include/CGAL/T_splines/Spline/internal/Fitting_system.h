@@ -5,12 +5,12 @@
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_FITTING_SYSTEM_H
 
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
-#include <CGAL/T_splines/Solver/internal/Interruptible_preconditioner.h>
 #include <CGAL/T_splines/Solver/preconditioned_conjugate_gradients.h>
+#include <CGAL/T_splines/Solver/support/Interruptible_preconditioner.h>
 #include <CGAL/T_splines/Spline/internal/Face_functions.h>
 #include <CGAL/T_splines/Spline/internal/T_spline_basis.h>
 #include <CGAL/T_splines/Spline/internal/Thin_plate_energy.h>
-#include <CGAL/T_splines/T_mesh/internal/T_mesh_arrays.h>
+#include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
 #include <CGAL/T_splines/internal/Progress.h>
 
 #include <Eigen/Core>

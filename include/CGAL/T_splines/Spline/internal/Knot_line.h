@@ -5,11 +5,11 @@
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_KNOT_LINE_H
 
 #include <CGAL/T_splines/Spline/Knot_insertion_report.h>
-#include <CGAL/T_splines/T_mesh/internal/Basis_knots.h>
-#include <CGAL/T_splines/T_mesh/internal/Regular_rings.h>
-#include <CGAL/T_splines/T_mesh/internal/Spline_structure.h>
-#include <CGAL/T_splines/T_mesh/internal/T_mesh_arrays.h>
-#include <CGAL/T_splines/T_mesh/internal/Vertex_quarters.h>
+#include <CGAL/T_splines/T_mesh/support/Basis_knots.h>
+#include <CGAL/T_splines/T_mesh/support/Regular_rings.h>
+#include <CGAL/T_splines/T_mesh/support/Spline_structure.h>
+#include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
+#include <CGAL/T_splines/T_mesh/support/Vertex_quarters.h>
 
 #include <CGAL/assertions.h>
 

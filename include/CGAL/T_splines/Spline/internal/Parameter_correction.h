@@ -6,7 +6,7 @@
 
 #include <CGAL/T_splines/Spline/internal/Fitting_system.h>
 #include <CGAL/T_splines/Spline/internal/T_spline_basis.h>
-#include <CGAL/T_splines/T_mesh/internal/T_mesh_arrays.h>
+#include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,9 @@
 
 #include <CGAL/T_splines/Spline/internal/Catmull_clark_evaluator.h>
 #include <CGAL/T_splines/Spline/internal/Cubic_b_spline.h>
-#include <CGAL/T_splines/T_mesh/internal/Spline_structure.h>
-#include <CGAL/T_splines/T_mesh/internal/T_mesh_arrays.h>
-#include <CGAL/T_splines/T_mesh/internal/Vertex_quarters.h>
+#include <CGAL/T_splines/T_mesh/support/Spline_structure.h>
+#include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
+#include <CGAL/T_splines/T_mesh/support/Vertex_quarters.h>
 
 #include <array>
 #include <cstddef>

@@ -4,10 +4,10 @@
 #ifndef CGAL_T_SPLINES_T_MESH_INTERNAL_BASIS_SUPPORT_H
 #define CGAL_T_SPLINES_T_MESH_INTERNAL_BASIS_SUPPORT_H
 
-#include <CGAL/T_splines/T_mesh/internal/Basis_knots.h>
 #include <CGAL/T_splines/T_mesh/internal/Ring_controls.h>
-#include <CGAL/T_splines/T_mesh/internal/T_mesh_arrays.h>
-#include <CGAL/T_splines/T_mesh/internal/Vertex_quarters.h>
+#include <CGAL/T_splines/T_mesh/support/Basis_knots.h>
+#include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
+#include <CGAL/T_splines/T_mesh/support/Vertex_quarters.h>
 
 #include <CGAL/number_type_basic.h>
 

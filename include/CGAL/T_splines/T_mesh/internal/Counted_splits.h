@@ -7,7 +7,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/internal/Split_position.h>
+#include <CGAL/T_splines/T_mesh/support/Split_position.h>
 #include <CGAL/T_splines/internal/Progress.h>
 
 #include <boost/container_hash/hash.hpp>

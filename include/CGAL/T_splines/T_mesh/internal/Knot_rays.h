@@ -4,8 +4,8 @@
 #ifndef CGAL_T_SPLINES_T_MESH_INTERNAL_KNOT_RAYS_H
 #define CGAL_T_SPLINES_T_MESH_INTERNAL_KNOT_RAYS_H
 
-#include <CGAL/T_splines/T_mesh/internal/T_mesh_arrays.h>
-#include <CGAL/T_splines/T_mesh/internal/Vertex_quarters.h>
+#include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
+#include <CGAL/T_splines/T_mesh/support/Vertex_quarters.h>
 
 #include <array>
 

@@ -4,9 +4,9 @@
 #ifndef CGAL_T_SPLINES_T_MESH_INTERNAL_RING_CONTROLS_H
 #define CGAL_T_SPLINES_T_MESH_INTERNAL_RING_CONTROLS_H
 
-#include <CGAL/T_splines/T_mesh/internal/Regular_rings.h>
-#include <CGAL/T_splines/T_mesh/internal/T_mesh_arrays.h>
-#include <CGAL/T_splines/T_mesh/internal/Vertex_quarters.h>
+#include <CGAL/T_splines/T_mesh/support/Regular_rings.h>
+#include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
+#include <CGAL/T_splines/T_mesh/support/Vertex_quarters.h>
 
 #include <CGAL/number_type_basic.h>
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_T_MESH_INTERNAL_RING_INSERTION_H
 #define CGAL_T_SPLINES_T_MESH_INTERNAL_RING_INSERTION_H
 
-#include <CGAL/T_splines/T_mesh/internal/T_mesh_arrays.h>
+#include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
 
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 

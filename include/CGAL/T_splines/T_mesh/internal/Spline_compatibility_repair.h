@@ -5,7 +5,7 @@
 #define CGAL_T_SPLINES_T_MESH_INTERNAL_SPLINE_COMPATIBILITY_REPAIR_H
 
 #include <CGAL/T_splines/T_mesh/internal/Ring_insertion.h>
-#include <CGAL/T_splines/T_mesh/internal/Spline_structure.h>
+#include <CGAL/T_splines/T_mesh/support/Spline_structure.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/exactness.h>
 

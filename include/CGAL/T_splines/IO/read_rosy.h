@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_IO_READ_ROSY_H
+#define CGAL_T_SPLINES_IO_READ_ROSY_H
+
+#include <CGAL/T_splines/IO/Field_file_report.h>
+#include <CGAL/T_splines/IO/internal/Field_file_parser.h>
+#include <CGAL/T_splines/IO/internal/Field_of_vectors.h>
+#include <CGAL/T_splines/internal/Progress.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <istream>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+
+namespace internal {
+
+template <typename TriangleMesh>
+bool parse_rosy(Field_file_parser& parser, Field_of_vectors<TriangleMesh>& field)
+{
+  if (!read_field_header(parser, 4, field.number_of_faces(), false))
+    return false;
+  std::vector<Triangle_geometry::Vector_3> vectors(2);
+  for (int f = 0; f < field.number_of_faces(); ++f) {
+    if (!read_vector(parser, vectors[0]))
+      return parser.at_index(f);
+    vectors[1] = CGAL::cross_product(field.geometry().m_normal[f], vectors[0]);
+    if (!field.set_cross(f, vectors, true, parser))
+      return false;
+  }
+  return true;
+}
+
+} // namespace internal
+
+/// \ingroup PkgTSplinesIO
+/// reads a cross field in the format `.rosy` (Palacios and Zhang, Interactive visualization of rotational symmetry fields on
+/// surfaces, 2011; as vcglib writes it for faces): the numbers F and 4, then one vector for each of F faces.
+///
+/// Fields with another rotational symmetry, and those on vertices, are refused.
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam CrossFieldMap a model of `WritablePropertyMap` from faces to three-dimensional vectors, which are
+///         constructible from three `double`s
+/// \param input the text; it is read to its end
+/// \param mesh the mesh that the field is for, its faces in the order of the file; borders are allowed
+/// \param cross_field receives one direction of each cross, of length 1; nothing is written upon failure
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{an instance of a geometric traits class}
+///     \cgalParamType{a model of `Kernel`}
+///     \cgalParamDefault{the kernel of the points, a new object}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{what hears of the progress and may stop the work}
+///     \cgalParamType{a model of `ProgressVisitor`, copied}
+///     \cgalParamDefault{`Progress_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return what is wrong with the file, and in which line and face.
+template <typename TriangleMesh, typename CrossFieldMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Field_file_report read_rosy(std::istream& input, const TriangleMesh& mesh, CrossFieldMap cross_field,
+                            const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const auto visitor = internal::progress_visitor(np);
+  internal::Progress progress(visitor);
+  progress.begin_stage("reading");
+  internal::Field_file_parser parser(input, progress);
+  if (!parser.success() || !internal::check_mesh_of_field(mesh, np, parser))
+    return parser.report();
+  internal::Field_of_vectors<TriangleMesh> field(mesh, np);
+  if (internal::parse_rosy(parser, field) && parser.read_end() && parser.go_on())
+    field.write(cross_field);
+  return parser.report();
+}
+
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_IO_READ_ROSY_H

@@ -1,0 +1,298 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_T_MESH_SUPPORT_SPLINE_STRUCTURE_H
+#define CGAL_T_SPLINES_T_MESH_SUPPORT_SPLINE_STRUCTURE_H
+
+#include <CGAL/T_splines/T_mesh/Spline_compatibility_report.h>
+#include <CGAL/T_splines/T_mesh/internal/Basis_support.h>
+#include <CGAL/T_splines/T_mesh/internal/Ring_controls.h>
+#include <CGAL/T_splines/T_mesh/support/Basis_knots.h>
+#include <CGAL/T_splines/T_mesh/support/Regular_rings.h>
+#include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
+#include <CGAL/T_splines/T_mesh/support/Vertex_quarters.h>
+#include <CGAL/T_splines/internal/Progress.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+/// What makes a T-mesh not spline compatible, in indices.
+struct Spline_defect {
+  Spline_compatibility_status status = Spline_compatibility_status::SPLINE_COMPATIBLE;
+  int vertex = -1, extraordinary_vertex = -1, face = -1;
+
+  explicit operator bool() const { return status != Spline_compatibility_status::SPLINE_COMPATIBLE; }
+};
+
+/// The basis functions of an admissible T-mesh: extraordinary vertices with their rings, knots, supports; and whether
+/// the conditions of [CZ17] 4.1.3 hold.
+///
+/// Rays are followed in the number type of the knots, so that they hit vertices exactly if the knots are exact.
+/// Transitions are composed in the number type of the surface: the knots that the basis functions have do not depend on
+/// them, and what round-off does to the rim of a support does not matter, where the function vanishes to second order.
+/// \tparam KnotFT the number type of the knots
+/// \tparam FT the number type of the surface
+template <typename KnotFT, typename FT = KnotFT>
+class Spline_structure {
+public:
+  using Knot_arrays = T_mesh_arrays<KnotFT>;
+  using Arrays = T_mesh_arrays<FT>;
+  using Status = Spline_compatibility_status;
+  static constexpr int none = -1;
+
+  /// \pre the knots are admissible
+  /// \tparam TMesh a `T_mesh_view`
+  /// \param progress asked by what looks at all vertices; it must outlive this. If it is interrupted, the defect that is
+  ///        found is INTERRUPTED
+  template <typename TMesh>
+  Spline_structure(const Mesh_indexing<typename TMesh::Graph>& indexing, const TMesh& t_mesh, Progress& progress)
+    : m_progress(progress),
+      m_knot_arrays(indexing, t_mesh)
+  {
+    m_progress.go_on();
+    if constexpr (!std::is_same<KnotFT, FT>::value)
+      m_arrays = Arrays(indexing, t_mesh);
+    classify_vertices();
+  }
+  Spline_structure(const Spline_structure&) = delete; // the rings refer to the arrays
+  Spline_structure& operator=(const Spline_structure&) = delete;
+
+  const Arrays& arrays() const
+  {
+    if constexpr (std::is_same<KnotFT, FT>::value)
+      return m_knot_arrays;
+    else
+      return m_arrays;
+  }
+
+  const Knot_arrays& knot_arrays() const { return m_knot_arrays; }
+  bool has_border() const { return m_has_border; }
+  const std::vector<int>& extraordinary_vertices() const { return m_extraordinary_vertices; }
+  bool is_extraordinary(const int v) const { return m_is_extraordinary[v]; }
+  bool is_isolated(const int v) const { return m_valence[v] == 0; } ///< it has no faces, and no basis function
+
+  /// The halfedge of a face that ends at an extraordinary vertex, where the face has a corner; or `none`.
+  int corner_of_face(const int f) const { return m_corner_of_face[f]; }
+
+  /// \pre `check_vertices()` and `check_rings()` found no defect
+  const std::vector<Regular_rings<KnotFT>>& rings() const { return m_rings; }
+
+  /// Finds a vertex where the border is not as it must be.
+  Spline_defect check_vertices() const
+  {
+    for (int v = 0; v < m_knot_arrays.number_of_vertices(); ++v) {
+      if (is_isolated(v) || !m_knot_arrays.is_border_vertex(v))
+        continue;
+      if (m_number_of_fans[v] > 1)
+        return {Status::TOUCHING_BORDERS, v};
+      if (m_valence[v] > 2)
+        return {Status::UNSUPPORTED_BORDER_VERTEX, v};
+    }
+    return {};
+  }
+
+  /// Condition A: all extraordinary vertices that violate it, or not all of them if the progress is interrupted.
+  /// \pre `check_vertices()` found no defect
+  std::vector<Spline_defect> ring_defects()
+  {
+    std::vector<Spline_defect> result;
+    m_rings.clear();
+    for (const int v : m_extraordinary_vertices) {
+      if (!m_progress.go_on_after(500))
+        break;
+      m_rings.emplace_back(m_knot_arrays, Vertex_quarters<KnotFT>(m_knot_arrays, v));
+      if (!m_rings.back().are_regular())
+        result.push_back({Status::IRREGULAR_RINGS, v, v, m_rings.back().bad_face()});
+      else if (const int face = face_with_two(m_rings.back()); face != none)
+        result.push_back({Status::IRREGULAR_RINGS, v, v, face});
+    }
+    return result;
+  }
+
+  /// Condition A. \pre `check_vertices()` found no defect
+  Spline_defect check_rings()
+  {
+    const std::vector<Spline_defect> defects = ring_defects();
+    if (m_progress.is_interrupted())
+      return {Status::INTERRUPTED};
+    return defects.empty() ? Spline_defect() : defects.front();
+  }
+
+  /// Finds the knots of all vertices. \pre condition A holds
+  Spline_defect find_knots()
+  {
+    for (int v = 0; v < m_knot_arrays.number_of_vertices(); ++v) {
+      if (!m_progress.go_on_after(20))
+        return {Status::INTERRUPTED};
+      if (const Spline_defect defect = find_knots(v))
+        return defect;
+    }
+    const std::vector<Spline_defect> defects = border_defects_of_rings();
+    return defects.empty() ? Spline_defect() : defects.front();
+  }
+
+  /// Finds the knots of one vertex. \pre condition A holds
+  Spline_defect find_knots(const int v)
+  {
+    m_knots.resize(m_knot_arrays.number_of_vertices());
+    if (is_isolated(v))
+      return {};
+    if (m_is_extraordinary[v]) {
+      m_knots[v] = converted(finder().extraordinary_knots(Vertex_quarters<KnotFT>(m_knot_arrays, v)));
+      return {};
+    }
+    const Vertex_rays<KnotFT> vertex_rays = rays(v);
+    if (!has_enough_intervals(vertex_rays[0], vertex_rays[2]) || !has_enough_intervals(vertex_rays[1], vertex_rays[3]))
+      return {Status::TOO_FEW_BORDER_INTERVALS, v};
+    m_knots[v] = converted(finder().knots(vertex_rays));
+    return {};
+  }
+
+  /// The rays of a vertex, in the order of its quarters' first directions. \pre it is not extraordinary
+  Vertex_rays<KnotFT> rays(const int v) const { return finder().rays(Vertex_quarters<KnotFT>(m_knot_arrays, v)); }
+
+  /// Condition A near a border, where the knots of a vertex of the second ring may differ from those that the rings ask
+  /// for: all vertices that violate it. \pre the knots of the rings are found
+  std::vector<Spline_defect> border_defects_of_rings() const
+  {
+    std::vector<Spline_defect> result;
+    if (!m_has_border)
+      return result;
+    for (const Regular_rings<KnotFT>& rings : m_rings)
+      for (int sector = 0; sector < rings.valence(); ++sector)
+        for (const std::array<int, 2>& p : {std::array<int, 2>{2, 0}, {2, 1}, {2, 2}, {1, 2}}) {
+          const int v = rings.vertex(sector, p[0], p[1]);
+          if (!is_uniform(m_knots[v].knots[0]) || !is_uniform(m_knots[v].knots[1]))
+            result.push_back({Status::BORDER_IN_RINGS, v, rings.vertex(sector, 0, 0)});
+        }
+    return result;
+  }
+
+  const Basis_knots<FT>& knots(const int v) const { return m_knots[v]; }
+
+  /// Which basis functions may act in the faces at extraordinary vertices. \pre condition A holds
+  Ring_controls<FT> ring_controls() const { return Ring_controls<FT>(arrays(), m_rings); }
+
+  /// Condition B: finds the supports of all vertices and calls `sink(v, support)` for each. \pre the knots are found
+  template <typename Sink>
+  Spline_defect find_supports(const Sink& sink) const
+  {
+    const Ring_controls<FT> controls = ring_controls();
+    Basis_support<FT> support(arrays(), controls);
+    for (int v = 0; v < m_knot_arrays.number_of_vertices(); ++v) {
+      if (is_isolated(v))
+        continue;
+      if (!m_progress.go_on_after(100))
+        return {Status::INTERRUPTED};
+      const Spline_defect defect = find_support(v, support);
+      if (defect)
+        return defect;
+      sink(v, support);
+    }
+    return {};
+  }
+
+  /// Calls `sink(defect, support)` for those of the vertices that violate B. \pre their knots are found
+  template <typename Sink>
+  void for_each_support_defect(const Ring_controls<FT>& controls, const std::vector<int>& vertices,
+                               const Sink& sink) const
+  {
+    Basis_support<FT> support(arrays(), controls);
+    for (const int v : vertices) {
+      if (is_isolated(v))
+        continue;
+      if (!m_progress.go_on_after(100))
+        return;
+      if (const Spline_defect defect = find_support(v, support))
+        sink(defect, support);
+    }
+  }
+
+private:
+  void classify_vertices()
+  {
+    m_valence.resize(m_knot_arrays.number_of_vertices());
+    m_is_extraordinary.resize(m_knot_arrays.number_of_vertices());
+    m_corner_of_face.assign(m_knot_arrays.number_of_faces(), none);
+    m_number_of_fans.assign(m_knot_arrays.number_of_vertices(), 0);
+    for (int h = 0; h < m_knot_arrays.number_of_halfedges(); ++h)
+      m_number_of_fans[m_knot_arrays.target(h)] += m_knot_arrays.is_border(h);
+    for (int v = 0; v < m_knot_arrays.number_of_vertices(); ++v) {
+      if (m_knot_arrays.incoming(v) == none)
+        continue;
+      const bool is_border = m_knot_arrays.is_border_vertex(v);
+      m_has_border = m_has_border || is_border;
+      m_valence[v] = m_knot_arrays.extended_valence(v);
+      m_is_extraordinary[v] = !is_border && m_valence[v] != 4;
+      if (!m_is_extraordinary[v])
+        continue;
+      m_extraordinary_vertices.push_back(v);
+      m_knot_arrays.for_each_incoming(v, [&](const int h) {
+        if (m_knot_arrays.is_corner(h))
+          m_corner_of_face[m_knot_arrays.face(h)] = h;
+      });
+    }
+  }
+
+  // A face at the extraordinary vertex that has another one as a corner, or `none`.
+  int face_with_two(const Regular_rings<KnotFT>& rings) const
+  {
+    for (int sector = 0; sector < rings.valence(); ++sector)
+      if (m_is_extraordinary[rings.vertex(sector, 1, 0)] || m_is_extraordinary[rings.vertex(sector, 1, 1)])
+        return rings.face(sector, 0, 0);
+    return none;
+  }
+
+  Basis_knots_finder<KnotFT> finder() const { return {m_knot_arrays, m_is_extraordinary, m_has_border}; }
+
+  // The second knot outside may be any: it is not seen from the faces at the extraordinary vertex.
+  static bool is_uniform(const std::array<FT, 5>& k)
+  {
+    const FT d = k[3] - k[2], eps = d * FT(1e-6);
+    const auto is_close = [&](const FT& x) { return CGAL::abs(FT(x - d)) <= eps; };
+    return k[2] == FT(0) && is_close(FT(k[2] - k[1])) && (is_close(FT(k[1] - k[0])) || is_close(FT(k[4] - k[3])));
+  }
+
+  Spline_defect find_support(const int v, Basis_support<FT>& support) const
+  {
+    support.find(v, Vertex_quarters<FT>(arrays(), v), m_knots[v]);
+    if (support.reached_cone_face() != none) {
+      const int face = support.faces()[support.reached_cone_face()].face;
+      return {Status::SUPPORT_REACHES_CONE, v, m_knot_arrays.target(m_corner_of_face[face]), face};
+    }
+    if (support.endless_piece() != none)
+      return {Status::ENDLESS_SUPPORT, v, none, support.faces()[support.endless_piece()].face};
+    return {};
+  }
+
+  static Basis_knots<FT> converted(const Basis_knots<KnotFT>& knots)
+  {
+    Basis_knots<FT> result;
+    for (int axis = 0; axis < 2; ++axis)
+      for (int i = 0; i < 5; ++i)
+        result.knots[axis][i] = converted_number<FT>(knots.knots[axis][i]);
+    return result;
+  }
+
+  Progress& m_progress;
+  Knot_arrays m_knot_arrays;
+  Arrays m_arrays; // empty if the number types are the same
+  bool m_has_border = false;
+  std::vector<int> m_valence, m_number_of_fans, m_extraordinary_vertices, m_corner_of_face;
+  std::vector<char> m_is_extraordinary;
+  std::vector<Regular_rings<KnotFT>> m_rings;
+  std::vector<Basis_knots<FT>> m_knots;
+};
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_T_MESH_SUPPORT_SPLINE_STRUCTURE_H

@@ -1,0 +1,218 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_T_SPLINES_T_MESH_SUPPORT_T_MESH_ARRAYS_H
+#define CGAL_T_SPLINES_T_MESH_SUPPORT_T_MESH_ARRAYS_H
+
+#include <CGAL/T_splines/Similarity_2.h>
+#include <CGAL/T_splines/internal/Mesh_indexing.h>
+#include <CGAL/T_splines/internal/converted_number.h>
+#include <CGAL/T_splines/internal/exactness.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace T_splines {
+namespace internal {
+
+// A halfedge of `T_mesh_arrays`.
+template <typename FT>
+struct T_mesh_halfedge {
+  int next = -1, prev = -1, target = -1, face = -1, side = -1;
+  bool is_corner = false;
+  FT knot = FT(0), begin = FT(0);
+};
+
+// All but sides and begins. The members of T_mesh_arrays would hide the graph's free functions.
+template <typename FT, typename TMesh>
+std::vector<T_mesh_halfedge<FT>> t_mesh_halfedges(const Mesh_indexing<typename TMesh::Graph>& indexing,
+                                                  const TMesh& t_mesh)
+{
+  const auto& graph = indexing.graph();
+  std::vector<T_mesh_halfedge<FT>> result(indexing.number_of_halfedges());
+  for (int i = 0; i < indexing.number_of_halfedges(); ++i) {
+    const auto h = indexing.halfedge(i);
+    result[i].next = indexing.halfedge_index(next(h, graph));
+    result[i].prev = indexing.halfedge_index(prev(h, graph));
+    result[i].target = indexing.vertex_index(target(h, graph));
+    if (face(h, graph) == boost::graph_traits<typename TMesh::Graph>::null_face())
+      continue;
+    result[i].face = indexing.face_index(face(h, graph));
+    result[i].is_corner = t_mesh.is_corner(h);
+    result[i].knot = converted_number<FT>(t_mesh.knot(h));
+  }
+  return result;
+}
+
+template <typename Graph>
+int halfedge_index_of_face(const Mesh_indexing<Graph>& indexing, const int f)
+{
+  return indexing.halfedge_index(halfedge(indexing.face(f), indexing.graph()));
+}
+
+/// A T-mesh with halfedge knots in index arrays, for the algorithms that look at much of it and change nothing.
+///
+/// Halfedges 2e and 2e + 1 are opposite. A face is [0, width] x [0, height] in its own units; its sides have the
+/// numbers 0 to 3 from the bottom, counter-clockwise, and so have the four directions +u, +v, -u, -v. At a border
+/// halfedge only connectivity has a meaning.
+/// \tparam FT the number type of lengths
+template <typename FT_>
+class T_mesh_arrays {
+public:
+  using FT = FT_;
+  using Point = std::pair<FT, FT>;
+  static constexpr int none = -1;
+
+  T_mesh_arrays() = default;
+
+  /// \pre each face has four corners
+  /// \tparam TMesh a `T_mesh_view`
+  template <typename TMesh>
+  T_mesh_arrays(const Mesh_indexing<typename TMesh::Graph>& indexing, const TMesh& t_mesh)
+    : m_number_of_vertices(indexing.number_of_vertices()),
+      m_halfedges(t_mesh_halfedges<FT>(indexing, t_mesh)),
+      m_incoming(indexing.number_of_vertices(), none),
+      m_faces(indexing.number_of_faces())
+  {
+    for (int h = 0; h < number_of_halfedges(); ++h) {
+      if (!is_border(h))
+        m_incoming[target(h)] = h;
+    }
+    for (int f = 0; f < number_of_faces(); ++f)
+      set_frame(f, halfedge_index_of_face(indexing, f));
+    // The fan at a border vertex begins at the border.
+    for (int h = 0; h < number_of_halfedges(); ++h)
+      if (!is_border(h) && is_border(opposite(next(h))))
+        m_incoming[target(h)] = h;
+  }
+
+  int number_of_vertices() const { return m_number_of_vertices; }
+  int number_of_halfedges() const { return static_cast<int>(m_halfedges.size()); }
+  int number_of_faces() const { return static_cast<int>(m_faces.size()); }
+
+  static int opposite(const int h) { return h ^ 1; }
+  int next(const int h) const { return m_halfedges[h].next; }
+  int prev(const int h) const { return m_halfedges[h].prev; }
+  int target(const int h) const { return m_halfedges[h].target; }
+  int source(const int h) const { return target(opposite(h)); }
+  int face(const int h) const { return m_halfedges[h].face; }
+  bool is_border(const int h) const { return face(h) == none; }
+  bool is_corner(const int h) const { return m_halfedges[h].is_corner; } ///< the face turns at the target
+  int side(const int h) const { return m_halfedges[h].side; }
+  const FT& knot(const int h) const { return m_halfedges[h].knot; }
+  const FT& begin(const int h) const { return m_halfedges[h].begin; } ///< distance of the source from the side's begin
+  FT end(const int h) const { return begin(h) + knot(h); }
+
+  /// A halfedge that ends at `v`, not on the border; if `v` is a border vertex, the one of the first face of its fan
+  /// counter-clockwise.
+  int incoming(const int v) const { return m_incoming[v]; }
+
+  /// The next halfedge that ends at the target of `h`, counter-clockwise; on the border where the fan ends.
+  int counter_clockwise(const int h) const { return prev(opposite(h)); }
+  int clockwise(const int h) const { return opposite(next(h)); }
+
+  const FT& width(const int f) const { return m_faces[f].width; }
+  const FT& height(const int f) const { return m_faces[f].height; }
+  const FT& side_length(const int f, const int side) const { return side % 2 == 0 ? width(f) : height(f); }
+  int first_of_side(const int f, const int side) const { return m_faces[f].first[side]; }
+  bool is_whole_side(const int h) const { return is_corner(h) && is_corner(prev(h)); }
+
+  /// The point of a side at a distance from its begin, in the frame of the face.
+  Point point_of_side(const int f, const int side, const FT& distance) const
+  {
+    switch (side) {
+    case 0: return {distance, FT(0)};
+    case 1: return {width(f), distance};
+    case 2: return {FT(width(f) - distance), height(f)};
+    default: return {FT(0), FT(height(f) - distance)};
+    }
+  }
+  Point source_point(const int h) const { return point_of_side(face(h), side(h), begin(h)); }
+  Point target_point(const int h) const { return point_of_side(face(h), side(h), end(h)); }
+
+  /// How many units of the face of `opposite(h)` are one unit of the face of `h`. \pre both are faces
+  FT ratio(const int h) const { return knot(opposite(h)) / knot(h); }
+
+  /// The similarity from the frame of the face of `h` to that of its opposite, tau of [CZ17] 4.1.1. \pre both are faces
+  Similarity_2<FT> transition(const int h) const
+  {
+    const int o = opposite(h), turns = side(o) + 2 - side(h);
+    const Point p = source_point(h), q = target_point(o);
+    const FT scale = ratio(h);
+    const Point image = Similarity_2<FT>(turns, scale, FT(0), FT(0))(p.first, p.second);
+    return Similarity_2<FT>(turns, scale, FT(q.first - image.first), FT(q.second - image.second));
+  }
+
+  /// Distances on a side of length `size` that are not larger count as none.
+  static FT tolerance(const FT& size)
+  {
+    if constexpr (is_exact_number_type<FT>)
+      return FT(0);
+    else
+      return size * FT(1e-11);
+  }
+
+  /// The extended valence ([CZ17] section 4).
+  int extended_valence(const int v) const
+  {
+    int result = 0;
+    for_each_incoming(v, [&](const int h) { result += is_corner(h) ? 1 : 2; });
+    return result;
+  }
+
+  bool is_border_vertex(const int v) const { return is_border(opposite(next(m_incoming[v]))); }
+
+  /// Calls `f(h)` for the halfedges, not on the border, that end at `v`, counter-clockwise.
+  template <typename Function>
+  void for_each_incoming(const int v, const Function& f) const
+  {
+    const int first = m_incoming[v];
+    int h = first;
+    do {
+      f(h);
+      h = counter_clockwise(h);
+    } while (h != first && !is_border(h));
+  }
+
+private:
+  struct Face {
+    std::array<int, 4> first;
+    FT width, height;
+  };
+
+  void set_frame(const int f, int h)
+  {
+    while (!is_corner(prev(h)))
+      h = prev(h);
+    std::array<FT, 4> length;
+    for (int side = 0; side < 4; ++side) {
+      m_faces[f].first[side] = h;
+      length[side] = FT(0);
+      bool is_last = false;
+      while (!is_last) {
+        m_halfedges[h].side = side;
+        m_halfedges[h].begin = length[side];
+        length[side] += knot(h);
+        is_last = is_corner(h);
+        h = next(h);
+      }
+    }
+    m_faces[f].width = length[0];
+    m_faces[f].height = length[1];
+  }
+
+  int m_number_of_vertices = 0;
+  std::vector<T_mesh_halfedge<FT>> m_halfedges;
+  std::vector<int> m_incoming; // per vertex
+  std::vector<Face> m_faces;
+};
+
+} // namespace internal
+} // namespace T_splines
+} // namespace CGAL
+
+#endif // CGAL_T_SPLINES_T_MESH_SUPPORT_T_MESH_ARRAYS_H

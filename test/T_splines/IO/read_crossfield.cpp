@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/T_splines/IO/read_crossfield.h>
+
+#include "../test_meshes.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+namespace ts = CGAL::T_splines;
+using Status = ts::Field_file_status;
+using Mesh = test::Surface_mesh;
+
+namespace {
+
+struct Triangle {
+  Mesh mesh;
+  Mesh::Property_map<Mesh::Face_index, test::Vector_3> field;
+
+  Triangle()
+  {
+    const auto a = mesh.add_vertex(test::Point_3(0, 0, 0)), b = mesh.add_vertex(test::Point_3(1, 0, 0)),
+               c = mesh.add_vertex(test::Point_3(0, 1, 0));
+    mesh.add_face(a, b, c);
+    field = mesh.add_property_map<Mesh::Face_index, test::Vector_3>("f:field").first;
+  }
+
+  double angle() const
+  {
+    const test::Vector_3 v = field[Mesh::Face_index(0)];
+    return std::remainder(std::atan2(v.y(), v.x()), std::acos(0.));
+  }
+};
+
+} // namespace
+
+TEST_CASE("a crossfield has a flag and two axes per face, not ordered")
+{
+  Triangle triangle;
+  for (const char* text : {"2 1\n1 2 1 0 -1 2 0\n", "2 1\n0 -1 2 0 -2 -1 0", "2 1\r\n0 -1 2 0 2 1 0\r\n"}) {
+    std::istringstream input(text);
+    REQUIRE(ts::read_crossfield(input, triangle.mesh, triangle.field).success());
+    CHECK(triangle.angle() == Approx(std::atan2(1., 2.)));
+  }
+}
+
+TEST_CASE("bad crossfields are refused")
+{
+  Triangle triangle;
+  const auto status = [&triangle](const std::string& text) {
+    std::istringstream input(text);
+    return ts::read_crossfield(input, triangle.mesh, triangle.field).status;
+  };
+  CHECK(status("4 1\n1 2 1 0 -1 2 0\n") == Status::WRONG_SYMMETRY);
+  CHECK(status("2 2\n1 2 1 0 -1 2 0\n") == Status::WRONG_COUNT);
+  CHECK(status("2 1\n1 2 1 0 -1 2\n") == Status::TRUNCATED);
+  CHECK(status("2 1\n1 2 1 0 -4 -2 0\n") == Status::NOT_A_CROSS);
+  CHECK(status("2 1\n1 2 1 0 0 0 0\n") == Status::ZERO_VECTOR);
+  CHECK(status("2 1\n1 2 1 0 0 0 1\n") == Status::NOT_TANGENT);
+}
