@@ -67,7 +67,7 @@ static Verdict compare(const Traced<CGAL::Exact_rational>& exact, const Traced<d
     return Verdict::NO_MAP;
   if (!rounded.report.success())
     return Verdict::NO_T_MESH;
-  if (!T::is_admissible(rounded.t_mesh, T::parameters::relative_tolerance(knot_tolerance)))
+  if (!T::check_admissibility(rounded.t_mesh, T::parameters::relative_tolerance(knot_tolerance)))
     return Verdict::NOT_ADMISSIBLE;
   if (num_faces(exact.t_mesh.graph()) != num_faces(rounded.t_mesh.graph()) ||
       num_edges(exact.t_mesh.graph()) != num_edges(rounded.t_mesh.graph()) ||

@@ -69,7 +69,7 @@ int main(int argc, char* argv[])
   std::cout << "up to " << most << " vertices of the mesh in a face\n";
 
   // On the two sides of an edge the knots may differ, by a factor; all in all they fit together, exactly.
-  if (const auto admissibility = T::is_admissible(t_mesh); !admissibility)
+  if (const auto admissibility = T::check_admissibility(t_mesh); !admissibility)
     return failure(map_file, admissibility.status);
   if (const std::error_code error = T::write_t_mesh(t_mesh_file, t_mesh)) {
     std::cerr << t_mesh_file << ": " << error.message() << "\n";

@@ -93,9 +93,9 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_sample.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
+#include <CGAL/T_splines/T_mesh/check_admissibility.h>
+#include <CGAL/T_splines/T_mesh/check_spline_compatibility.h>
 #include <CGAL/T_splines/T_mesh/grade_T_mesh.h>
-#include <CGAL/T_splines/T_mesh/is_admissible.h>
-#include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
 #include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>

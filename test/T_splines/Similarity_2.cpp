@@ -59,7 +59,7 @@ TEST_CASE("they act on points from the left", "[Similarity_2]")
   }
 }
 
-TEST_CASE("a quarter turn is counter-clockwise, and four are none", "[Similarity_2]")
+TEST_CASE("a quarter turn is counter-clockwise, and four of them are the identity", "[Similarity_2]")
 {
   const Similarity turn(1, 1, 0, 0);
   CHECK(turn(FT(1), FT(0)) == std::make_pair(FT(0), FT(1)));

@@ -36,8 +36,8 @@ These are the stages. What a function calls in its turn is a part of its own sta
 | `refine_T_mesh()` | "refinement" |
 | `grade_T_mesh()` | "grading" |
 | `place_T_mesh()` | "placement" |
-| `is_admissible()` | "admissibility" |
-| `is_spline_compatible()`, `make_spline_compatible()` | "spline compatibility" |
+| `check_admissibility()` | "admissibility" |
+| `check_spline_compatibility()`, `make_spline_compatible()` | "spline compatibility" |
 | `insert_knot_line()` | "knot insertion" |
 | the constructors of `T_spline_surface` | "T-spline surface" |
 | `fit_T_spline()`, `fit_adaptive_T_spline()` | "fit", in the latter once for each level |

@@ -6,7 +6,7 @@
 #include <CGAL/T_splines/Spline/Mesh_distance.h>
 #include <CGAL/T_splines/Spline/T_spline_closest_point.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
-#include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
+#include <CGAL/T_splines/T_mesh/check_spline_compatibility.h>
 
 #include "Approximation/box.h"
 
@@ -76,7 +76,7 @@ TEST_CASE("one call makes a surface within the tolerance, and its report tells h
   CHECK(report.fit.levels.at(report.fit.best_level).number_of_control_points == spline.number_of_control_points());
   CHECK_FALSE(report.fit.deviation.has_folds());
   CHECK(report.fit.self_intersections.success());
-  CHECK(T::is_spline_compatible(spline));
+  CHECK(T::check_spline_compatibility(spline));
   CHECK(describe(report, mesh).find("within the tolerance") != std::string::npos);
 }
 

@@ -7,7 +7,7 @@
 #include <CGAL/T_splines/IO/read_t_mesh.h>
 #include <CGAL/T_splines/IO/write_t_mesh.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
-#include <CGAL/T_splines/T_mesh/is_admissible.h>
+#include <CGAL/T_splines/T_mesh/check_admissibility.h>
 
 #include <CGAL/Exact_rational.h>
 
@@ -127,7 +127,7 @@ TEMPLATE_TEST_CASE("a T-mesh file that is read and written is the same, byte by 
     REQUIRE(report.success());
     CHECK(report.number_of_vertices == vertices_of(t.graph));
     CHECK(report.number_of_faces == faces_of(t.graph));
-    CHECK(T::is_admissible(t.view()));
+    CHECK(T::check_admissibility(t.view()));
     CHECK(t.text() == file_content(entry.path().string()));
   }
 }
@@ -441,6 +441,6 @@ TEST_CASE("knots are read into exact numbers as they stand")
 {
   T_mesh_with_maps<Surface_mesh, CGAL::Exact_rational> t;
   REQUIRE(t.read(good + "scaled_torus.ply").success());
-  CHECK(T::is_admissible(t.view()));
+  CHECK(T::check_admissibility(t.view()));
   CHECK(t.text() == file_content(good + "scaled_torus.ply"));
 }

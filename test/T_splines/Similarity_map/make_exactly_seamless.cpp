@@ -636,7 +636,7 @@ TEST_CASE("bad maps are refused and the element is named", "[make_exactly_seamle
   }
 }
 
-TEST_CASE("meshes that are none are refused", "[make_exactly_seamless]")
+TEST_CASE("what is not a closed triangle mesh is refused", "[make_exactly_seamless]")
 {
   Surface_mesh mesh;
   const auto uv = mesh.add_property_map<Surface_mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;

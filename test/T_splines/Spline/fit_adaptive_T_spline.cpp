@@ -8,7 +8,7 @@
 #include <CGAL/T_splines/Spline/Mesh_distance.h>
 #include <CGAL/T_splines/Spline/T_spline_closest_point.h>
 #include <CGAL/T_splines/Spline/check_T_spline_self_intersections.h>
-#include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
+#include <CGAL/T_splines/T_mesh/check_spline_compatibility.h>
 
 #include "Spline/Carried_box.h"
 
@@ -121,7 +121,7 @@ TEST_CASE("An adaptive fit comes within the tolerance both ways, with more contr
     CHECK(level.number_of_control_points == result.number_of_control_points());
     CHECK(level.number_of_control_points > last);
     last = level.number_of_control_points;
-    CHECK(T::is_spline_compatible(result));
+    CHECK(T::check_spline_compatibility(result));
     const auto surface = result.surface();
     REQUIRE(surface.is_valid());
     const double distance = distance_of_random_points(surface, box.mesh);

@@ -112,7 +112,7 @@ public:
 private:
   void check() const
   {
-    const auto compatibility = CGAL::T_splines::is_spline_compatible(m_t);
+    const auto compatibility = CGAL::T_splines::check_spline_compatibility(m_t);
     INFO(message(compatibility.status));
     REQUIRE(compatibility);
     const Number worst = difference();
@@ -269,7 +269,7 @@ TEST_CASE("where supports overlap themselves, the surface does not change either
   const auto report = insert_in_plane(t, surface, plane, 0, {1.5, 0.5});
   CHECK(report);
   CHECK(report.inserted_vertices == 1);
-  CHECK(CGAL::T_splines::is_spline_compatible(t).self_overlapping_supports == 4);
+  CHECK(CGAL::T_splines::check_spline_compatibility(t).self_overlapping_supports == 4);
 }
 
 TEST_CASE("lines between two borders that are close", "[insert_knot_line]")
@@ -447,7 +447,7 @@ TEST_CASE("lines close to others, in doubles", "[insert_knot_line]")
       const auto f = t.face_list[0];
       const double x = part * editor.coordinates().width(f);
       CHECK(insert_knot_line(t, t.controls(), f, 0, x));
-      CHECK(CGAL::T_splines::is_spline_compatible(t));
+      CHECK(CGAL::T_splines::check_spline_compatibility(t));
     }
   }
 }

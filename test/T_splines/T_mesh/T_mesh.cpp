@@ -5,7 +5,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/is_admissible.h>
+#include <CGAL/T_splines/T_mesh/check_admissibility.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 
 #include "T_mesh/test_t_meshes.h"
@@ -77,7 +77,7 @@ TEST_CASE("copies of a T-mesh have their own graph, knots and corners", "[T_mesh
 {
   const Exact_t_mesh original = pinwheel();
   REQUIRE(original.graph().number_of_faces() > 0);
-  REQUIRE(T::is_admissible(original));
+  REQUIRE(T::check_admissibility(original));
   Exact_t_mesh copy = original, assigned;
   assigned = original;
   CHECK(are_equal(original, copy));
@@ -88,16 +88,16 @@ TEST_CASE("copies of a T-mesh have their own graph, knots and corners", "[T_mesh
   REQUIRE(editor.split_face(f, 0, Rational(editor.coordinates().width(f) / 2)));
   CHECK_FALSE(are_equal(original, copy));
   CHECK(are_equal(original, assigned));
-  CHECK(T::is_admissible(copy));
+  CHECK(T::check_admissibility(copy));
   const auto h = *assigned.graph().halfedges().begin();
   put(assigned.knots(), h, Rational(2 * get(assigned.knots(), h)));
-  CHECK_FALSE(T::is_admissible(assigned));
-  CHECK(T::is_admissible(original));
+  CHECK_FALSE(T::check_admissibility(assigned));
+  CHECK(T::check_admissibility(original));
 
   copy = Exact_t_mesh();
   CHECK(copy.graph().number_of_vertices() == 0);
   const Exact_t_mesh moved = std::move(assigned);
-  CHECK_FALSE(T::is_admissible(moved));
+  CHECK_FALSE(T::check_admissibility(moved));
 }
 
 TEMPLATE_TEST_CASE("a T-mesh is copied into any graph, and its knots into other numbers", "[T_mesh]", Surface_mesh,
@@ -113,7 +113,7 @@ TEMPLATE_TEST_CASE("a T-mesh is copied into any graph, and its knots into other 
     T::copy_T_mesh(original, exact);
     CHECK(are_equal(original, rounded));
     CHECK(are_equal(original, exact));
-    CHECK(T::is_admissible(exact));
+    CHECK(T::check_admissibility(exact));
   }
 }
 
@@ -147,7 +147,7 @@ TEST_CASE("a view refers to a T-mesh, and makes one of a graph and maps", "[T_me
   CHECK(get(t_mesh.knots(), h) == Rational(5, 7));
   CHECK(constant.knot(h) == Rational(5, 7));
   CHECK(T::T_mesh_coordinates(constant).width(f) == T::T_mesh_coordinates(t_mesh).width(f));
-  CHECK_FALSE(T::is_admissible(view));
+  CHECK_FALSE(T::check_admissibility(view));
   view.set_corner(h, !view.is_corner(h));
   CHECK(constant.is_corner(h) == bool(get(t_mesh.corners(), h)));
 }

@@ -5,7 +5,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 
 #include <CGAL/T_splines/T_mesh/Carried_points.h>
-#include <CGAL/T_splines/T_mesh/is_admissible.h>
+#include <CGAL/T_splines/T_mesh/check_admissibility.h>
 
 #include "T_mesh/Development.h"
 #include "T_mesh/test_t_meshes.h"
@@ -244,7 +244,7 @@ void edit_and_check(Scene& scene, const Group& group, const bool has_area, const
       REQUIRE(bool(state(scene) == before));
     if (i % 100 != 0)
       continue;
-    REQUIRE(CGAL::T_splines::is_admissible(scene.mesh));
+    REQUIRE(CGAL::T_splines::check_admissibility(scene.mesh));
     REQUIRE(scene.extraordinary_vertices() == cones);
     REQUIRE(scene.euler_characteristic() == euler_characteristic);
     REQUIRE(scene.development.is_consistent(scene.editor.coordinates(), group));
@@ -324,7 +324,7 @@ TEMPLATE_TEST_CASE("random operations with rounded knots keep them admissible", 
     for (int k = 0; k < 2000; ++k) {
       edit_randomly(scene, 160, random, done);
       if (k % 100 == 0)
-        REQUIRE(CGAL::T_splines::is_admissible(scene.mesh));
+        REQUIRE(CGAL::T_splines::check_admissibility(scene.mesh));
     }
     CHECK(scene.extraordinary_vertices() == cones);
   }
@@ -385,7 +385,7 @@ TEST_CASE("a flip inserts an orthogonal edge", "[T_mesh_editor]")
   CHECK(editor.coordinates().width(f) == x);
   CHECK(editor.coordinates().height(f) == 1);
   CHECK(t.mesh.number_of_faces() == 3);
-  CHECK(CGAL::T_splines::is_admissible(t));
+  CHECK(CGAL::T_splines::check_admissibility(t));
 }
 
 TEST_CASE("between cones only the middle of an edge can be removed", "[T_mesh_editor]")
@@ -404,7 +404,7 @@ TEST_CASE("between cones only the middle of an edge can be removed", "[T_mesh_ed
   const auto edit = editor.remove_partly(h, Rational(1) / 4, Rational(3) / 4);
   REQUIRE(edit);
   CHECK(t.mesh.number_of_faces() == 9); // two faces became three each, two of these one
-  CHECK(CGAL::T_splines::is_admissible(t));
+  CHECK(CGAL::T_splines::check_admissibility(t));
   const auto f = face(edit.halfedge, t.mesh);
   CHECK(editor.coordinates().width(f) == Rational(1) / 2);
   CHECK(editor.coordinates().height(f) == 2);
@@ -461,7 +461,7 @@ TEST_CASE("lines are shifted between their neighbours", "[T_mesh_editor]")
     CHECK(editor.shift(t.halfedge_of(0, 0), 1).status == Status::OUTSIDE);
     REQUIRE(editor.shift(t.halfedge_of(0, 0), Rational(1) / 4));
     CHECK(editor.coordinates().height(t.face_list[0]) == 1); // the line is above and below
-    CHECK(CGAL::T_splines::is_admissible(t));
+    CHECK(CGAL::T_splines::check_admissibility(t));
   }
   SECTION("between T-joints")
   {
@@ -475,7 +475,7 @@ TEST_CASE("lines are shifted between their neighbours", "[T_mesh_editor]")
     CHECK(editor.coordinates().width(t.face_list[1]) == Rational(3) / 2);
     CHECK(editor.coordinates().width(face(opposite(cut.halfedge, t.mesh), t.mesh)) == Rational(1) / 2);
     CHECK(get(t.knots(), opposite(t.halfedge_of(1, 0), t.mesh)) == Rational(3) / 4); // a unit of 1 instead of 2
-    CHECK(CGAL::T_splines::is_admissible(t));
+    CHECK(CGAL::T_splines::check_admissibility(t));
   }
   SECTION("not those that are held")
   {
@@ -499,7 +499,7 @@ TEST_CASE("a vertex is inserted into an edge and removed again", "[T_mesh_editor
   CHECK(next(edit.halfedge, t.mesh) == h);
   CHECK(get(t.knots(), edit.halfedge) == Rational(1) / 2);
   CHECK(get(t.knots(), h) == Rational(3) / 2);
-  CHECK(CGAL::T_splines::is_admissible(t));
+  CHECK(CGAL::T_splines::check_admissibility(t));
   CHECK(editor.remove_vertex(h).status == Status::FIXED_VERTEX);
   REQUIRE(editor.remove_vertex(edit.halfedge));
   CHECK(get(t.knots(), edit.halfedge) == 2);

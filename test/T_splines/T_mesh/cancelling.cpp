@@ -7,9 +7,9 @@
 #include <CGAL/T_splines/T_mesh/Carried_anchors.h>
 #include <CGAL/T_splines/T_mesh/Surface_face_size.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
+#include <CGAL/T_splines/T_mesh/check_admissibility.h>
+#include <CGAL/T_splines/T_mesh/check_spline_compatibility.h>
 #include <CGAL/T_splines/T_mesh/grade_T_mesh.h>
-#include <CGAL/T_splines/T_mesh/is_admissible.h>
-#include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
 #include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
@@ -66,7 +66,7 @@ struct Scene {
 // What a T-mesh that was changed in part must still be; images of the surface must cover it.
 void check_valid(const T_mesh& t_mesh, const T::Carried_surface<Mesh>& surface)
 {
-  CHECK(T::is_admissible(t_mesh));
+  CHECK(T::check_admissibility(t_mesh));
   CHECK(t_mesh.graph().is_valid(false));
   for (const auto f : t_mesh.graph().faces())
     if (surface.images(f).empty()) {
@@ -149,7 +149,7 @@ TEST_CASE("A T-mesh whose grading is cancelled is admissible", "[cancel]")
   check_cancelling([&](const auto& visitor) {
     T_mesh t_mesh = uneven;
     const auto report = T::grade_T_mesh(t_mesh, 3, CGAL::parameters::visitor(visitor));
-    CHECK(T::is_admissible(t_mesh));
+    CHECK(T::check_admissibility(t_mesh));
     return report.status == T::T_mesh_grading_status::INTERRUPTED;
   });
 }
@@ -158,13 +158,13 @@ TEST_CASE("Checks of T-meshes can be cancelled", "[cancel]")
 {
   Scene scene;
   check_cancelling([&](const auto& visitor) {
-    return T::is_admissible(scene.t_mesh, CGAL::parameters::visitor(visitor)).status ==
+    return T::check_admissibility(scene.t_mesh, CGAL::parameters::visitor(visitor)).status ==
            T::Admissibility_status::INTERRUPTED;
   });
   T_mesh compatible = scene.t_mesh;
   REQUIRE(T::make_spline_compatible(compatible));
   check_cancelling([&](const auto& visitor) {
-    return T::is_spline_compatible(compatible, CGAL::parameters::visitor(visitor)).status ==
+    return T::check_spline_compatibility(compatible, CGAL::parameters::visitor(visitor)).status ==
            T::Spline_compatibility_status::INTERRUPTED;
   });
 }

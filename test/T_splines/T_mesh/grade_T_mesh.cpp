@@ -4,8 +4,8 @@
 #include <CGAL/T_splines/T_mesh/grade_T_mesh.h>
 
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
-#include <CGAL/T_splines/T_mesh/is_admissible.h>
-#include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
+#include <CGAL/T_splines/T_mesh/check_admissibility.h>
+#include <CGAL/T_splines/T_mesh/check_spline_compatibility.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
 
 #include "T_mesh/test_t_meshes.h"
@@ -81,7 +81,7 @@ TEMPLATE_TEST_CASE("sizes change gradually after grading", "[grade_T_mesh]", (st
       const std::size_t splits = grade_T_mesh(t, ratio).splits;
       CHECK(num_faces(t.mesh) == before + splits);
       CHECK(largest_ratio(t) <= ratio * (1 + 1e-9));
-      CHECK(CGAL::T_splines::is_admissible(t));
+      CHECK(CGAL::T_splines::check_admissibility(t));
       CHECK(splits < 200); // some faces for each of the eight sizes
       CHECK(grade_T_mesh(t, ratio).splits == 0);
     }
@@ -99,8 +99,8 @@ TEST_CASE("a T-mesh that was graded can be made spline compatible again", "[grad
   test_t_meshes::T_mesh<Surface_mesh, Rational> t(test_t_meshes::cube<Rational>());
   make_uneven(t, 6);
   REQUIRE(CGAL::T_splines::make_spline_compatible(t));
-  REQUIRE(CGAL::T_splines::is_spline_compatible(t));
+  REQUIRE(CGAL::T_splines::check_spline_compatibility(t));
   REQUIRE(grade_T_mesh(t, 4).splits > 0);
   CHECK(CGAL::T_splines::make_spline_compatible(t));
-  CHECK(CGAL::T_splines::is_spline_compatible(t));
+  CHECK(CGAL::T_splines::check_spline_compatibility(t));
 }

@@ -38,8 +38,8 @@ using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Rational = CGAL::Exact_rational;
 using Status = CGAL::T_splines::Spline_compatibility_status;
-using CGAL::T_splines::is_admissible;
-using CGAL::T_splines::is_spline_compatible;
+using CGAL::T_splines::check_admissibility;
+using CGAL::T_splines::check_spline_compatibility;
 using CGAL::T_splines::make_spline_compatible;
 using test_t_meshes::Faces;
 
@@ -78,8 +78,8 @@ auto make_and_check(TMesh&& t_mesh, const Observer& observer = Observer())
   const auto after = numbers_of(t_mesh);
   INFO(message(report.status));
   CHECK(report.success());
-  CHECK(is_admissible(t_mesh));
-  CHECK(is_spline_compatible(t_mesh));
+  CHECK(check_admissibility(t_mesh));
+  CHECK(check_spline_compatibility(t_mesh));
   CHECK(after.cones == before.cones);
   CHECK(after.euler_characteristic() == before.euler_characteristic());
   CHECK(report.vertices_before == before.vertices);
@@ -342,7 +342,7 @@ TEST_CASE("what cannot be helped is left as it is", "[make_spline_compatible]")
   const auto refused = [](Mesh& t) {
     const auto before = numbers_of(t);
     const auto report = make_spline_compatible(t);
-    const auto expected = is_spline_compatible(t);
+    const auto expected = check_spline_compatibility(t);
     CHECK(report.status == expected.status);
     CHECK(report.vertex == expected.vertex);
     CHECK(report.face == expected.face);
@@ -369,6 +369,6 @@ TEST_CASE("the number of splits is bounded on demand", "[make_spline_compatible]
     CHECK(report.faces_after == 6 + limit);
     CHECK(report.success() == (limit == needed));
     CHECK(report.is_limit_reached == (limit < needed));
-    CHECK(is_admissible(t));
+    CHECK(check_admissibility(t));
   }
 }

@@ -5,7 +5,7 @@
 #include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
 
 #include <CGAL/T_splines/T_mesh/Surface_face_size.h>
-#include <CGAL/T_splines/T_mesh/is_admissible.h>
+#include <CGAL/T_splines/T_mesh/check_admissibility.h>
 
 #include "T_mesh/test_t_meshes.h"
 
@@ -29,7 +29,7 @@ using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Rational = CGAL::Exact_rational;
 using Status = CGAL::T_splines::T_mesh_refinement_status;
-using CGAL::T_splines::is_admissible;
+using CGAL::T_splines::check_admissibility;
 using CGAL::T_splines::refine_T_mesh;
 using test_t_meshes::Faces;
 
@@ -55,7 +55,7 @@ TEMPLATE_TEST_CASE("faces become smaller than the target, not much smaller", "[r
     const Coordinates<Mesh> coordinates(t);
     const auto report = refine_T_mesh(t, Parametric_size<Mesh>(coordinates), 0.3);
     CHECK(report.success());
-    CHECK(is_admissible(t));
+    CHECK(check_admissibility(t));
     std::size_t count = 0;
     for (const auto f : faces(t.mesh)) {
       ++count;
@@ -89,7 +89,7 @@ TEST_CASE("vertices in the middle third are used, others are kept away from", "[
             {{5, x, true}, {6, 0.5, true}, {0, x, true}, {7, 0.5, true}},
             {{8, 1 - x, true}, {9, 0.5, true}, {1, 1 - x, true}, {6, 0.5, true}}});
     const Coordinates<Mesh> coordinates(t);
-    REQUIRE(is_admissible(t));
+    REQUIRE(check_admissibility(t));
     const auto size = [&](const Surface_mesh::Face_index f) {
       return std::make_pair(f == t.face_list[0] ? coordinates.width(f) : 0., 0.);
     };

@@ -5,7 +5,7 @@
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
 
 #include <CGAL/T_splines/T_mesh/Carried_points.h>
-#include <CGAL/T_splines/T_mesh/is_admissible.h>
+#include <CGAL/T_splines/T_mesh/check_admissibility.h>
 
 #include "Spline/Planar_t_mesh.h"
 #include "T_mesh/Development.h"
@@ -32,7 +32,7 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Rational = CGAL::Exact_rational;
-using CGAL::T_splines::is_admissible;
+using CGAL::T_splines::check_admissibility;
 using test_t_meshes::Faces;
 namespace parameters = CGAL::parameters;
 
@@ -107,7 +107,7 @@ TEMPLATE_TEST_CASE("narrow faces disappear, cones keep their edges", "[regulariz
     const auto cones_before = cones(t);
     const std::vector<double> before = aspect_ratios(t);
     const auto report = CGAL::T_splines::regularize_T_mesh(t);
-    CHECK(is_admissible(t));
+    CHECK(check_admissibility(t));
     CHECK(cones(t) == cones_before);
     const std::vector<double> after = aspect_ratios(t);
     CHECK(report.faces_before == before.size());
@@ -222,7 +222,7 @@ TEST_CASE("gaps between lines that end at opposite sides of a third one are clos
     const auto report = CGAL::T_splines::regularize_T_mesh(t);
     CHECK(report.closed_gaps == 2); // in the middle of the torus, and at its end
     CHECK(report.worst_aspect_after < 5);
-    CHECK(CGAL::T_splines::is_admissible(t));
+    CHECK(CGAL::T_splines::check_admissibility(t));
     const CGAL::T_splines::T_mesh_coordinates coordinates(t);
     for (const auto h : halfedges(t.mesh))
       CHECK(get(t.knots(), h) * 16 >= coordinates.side_length(h));

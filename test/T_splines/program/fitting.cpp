@@ -10,7 +10,7 @@
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
 #include <CGAL/T_splines/Spline/measure_T_spline_deviation.h>
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
-#include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
+#include <CGAL/T_splines/T_mesh/check_spline_compatibility.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -193,7 +193,7 @@ TEST_CASE("the levels are written, and the best is the surface")
     Test_t_mesh level;
     REQUIRE(level.read(output + "/level_" + std::to_string(i) + ".ply").success());
     CHECK(static_cast<double>(level.graph().number_of_vertices()) == control_points[i]);
-    CHECK(CGAL::T_splines::is_spline_compatible(level).success());
+    CHECK(CGAL::T_splines::check_spline_compatibility(level).success());
   }
   CHECK_FALSE(std::filesystem::exists(output + "/level_" + std::to_string(control_points.size()) + ".ply"));
   CHECK(file_content(output + "/t_mesh.ply") == file_content(output + "/level_" + std::to_string(best) + ".ply"));
@@ -253,7 +253,7 @@ TEST_CASE("a directory without permission to write is refused with exit code 2")
   const Temporary_directory directory;
   std::filesystem::permissions(directory.path(),
                                std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
-  // Whoever may do everything becomes no one.
+  // The superuser may write everywhere: the program runs as a user without rights.
   const std::string prefix = ::geteuid() == 0 ? "setpriv --reuid=65534 --clear-groups" : "";
   if (std::system((prefix + " test -x '" T_SPLINES_EXAMPLES_DIR "/mesh_to_t_spline'").c_str()) != 0) {
     WARN("this user cannot give up its rights: the permission was not tried");

@@ -6,7 +6,7 @@
 
 #include <CGAL/T_splines/IO/read_map_obj.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
-#include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
+#include <CGAL/T_splines/T_mesh/check_spline_compatibility.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -68,7 +68,7 @@ void check_output(const std::string& directory, const std::string& mesh_file)
   const long characteristic = static_cast<long>(input.number_of_vertices()) -
                               static_cast<long>(input.number_of_edges()) + static_cast<long>(input.number_of_faces());
   CHECK(t_mesh.euler_characteristic() == characteristic);
-  CHECK(CGAL::T_splines::is_spline_compatible(t_mesh).success());
+  CHECK(CGAL::T_splines::check_spline_compatibility(t_mesh).success());
   check_tessellation(directory + "/t_spline.obj", characteristic);
   const std::string patches = file_content(directory + "/t_spline.vtu");
   CHECK(contains(patches, "<PointData RationalWeights=\"RationalWeights\">"));

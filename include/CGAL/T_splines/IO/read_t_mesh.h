@@ -119,7 +119,7 @@ T_mesh_reading_report read_t_mesh_text(const std::string_view content, TMesh& t_
 ///     \cgalParamDefault{that of a `T_spline`; of others, the weights are not written}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{relative_tolerance}
-///     \cgalParamDescription{as for `is_admissible()`}
+///     \cgalParamDescription{as for `check_admissibility()`}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-9}
 ///   \cgalParamNEnd

@@ -25,7 +25,7 @@ namespace T_splines {
 ///
 /// Matrices and vectors are passed without copies. The order of elimination is by approximate minimum degree. Nested
 /// dissection saves a quarter of the time of a factorization (on triangle meshes with 360 thousand vertices), but takes
-/// as long as two factorizations itself: it pays where one pattern is factorized ten times. It is had by
+/// as long as two factorizations itself: it pays where one pattern is factorized ten times. Choose it with
 /// `parameters().method[0].ordering = CHOLMOD_METIS`.
 ///
 /// CHOLMOD calls BLAS. On meshes the supernodes are too small for threads, and threads that wait for each other on a busy

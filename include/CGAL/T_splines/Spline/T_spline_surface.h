@@ -11,7 +11,7 @@
 #include <CGAL/T_splines/Spline/internal/rational_jet.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
+#include <CGAL/T_splines/T_mesh/check_spline_compatibility.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Progress.h>
 
@@ -100,7 +100,7 @@ public:
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{relative_tolerance}
-  ///     \cgalParamDescription{as for `is_admissible()`}
+  ///     \cgalParamDescription{as for `check_admissibility()`}
   ///     \cgalParamType{`double`}
   ///     \cgalParamDefault{1e-9, and 0 for exact number types}
   ///   \cgalParamNEnd
@@ -130,7 +130,7 @@ public:
     }
     if (defect) {
       m_report.status = T_spline_status::NOT_SPLINE_COMPATIBLE;
-      m_report.compatibility = internal::described(defect, *m_indexing);
+      m_report.compatibility = internal::spline_compatibility_report(defect, *m_indexing);
       return;
     }
     m_basis = basis;

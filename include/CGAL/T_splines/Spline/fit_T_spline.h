@@ -141,7 +141,7 @@ auto control_point_weights(const Graph&, const NamedParameters& np)
 ///     \cgalParamDefault{`Progress_visitor`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{relative_tolerance}
-///     \cgalParamDescription{as for `is_admissible()`}
+///     \cgalParamDescription{as for `check_admissibility()`}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-9, and 0 for exact number types}
 ///   \cgalParamNEnd

@@ -160,7 +160,7 @@ Carried_surface<ToGraph> copied_surface(const Mesh_indexing<Graph>& indexing, co
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{relative_tolerance}
-///     \cgalParamDescription{as for `is_admissible()`}
+///     \cgalParamDescription{as for `check_admissibility()`}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-9, and 0 for exact number types}
 ///   \cgalParamNEnd

@@ -7,11 +7,11 @@
 #include <CGAL/T_splines/Spline/Control_point_map.h>
 #include <CGAL/T_splines/Spline/Knot_insertion_report.h>
 #include <CGAL/T_splines/Spline/internal/Homogeneous_vector.h>
-#include <CGAL/T_splines/Spline/internal/Knot_line.h>
+#include <CGAL/T_splines/Spline/internal/Inserted_line.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
+#include <CGAL/T_splines/T_mesh/check_spline_compatibility.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/converted_number.h>
@@ -91,7 +91,7 @@ public:
       defect = structure.find_supports([](int, const Basis_support<Knot>&) {});
     if (defect) {
       report.status = Knot_insertion_status::NOT_SPLINE_COMPATIBLE;
-      report.compatibility = described(defect, indexing);
+      report.compatibility = spline_compatibility_report(defect, indexing);
       return report;
     }
     const Arrays& arrays = structure.knot_arrays();
@@ -101,7 +101,7 @@ public:
       report.status = Knot_insertion_status::OUTSIDE;
       return report;
     }
-    Knot_line<Knot> line(structure);
+    Inserted_line<Knot> line(structure);
     const Knot part = x / size;
     report.status = line.find(arrays.first_of_side(i, axis), part);
     if (report.success())
@@ -133,7 +133,7 @@ public:
   }
 
 private:
-  // In a narrower interval, round-off on opposite sides would be more than is_admissible() takes.
+  // In a narrower interval, round-off on opposite sides would be more than check_admissibility() takes.
   static Knot margin(const Knot& size)
   {
     if constexpr (is_exact_number_type<Knot>)
@@ -142,8 +142,8 @@ private:
       return size * Knot(1e-6);
   }
 
-  void add(const Knot_line<Knot>& line, const Knot& part, const Arrays& arrays, const Mesh_indexing<Graph>& indexing,
-           Report& report)
+  void add(const Inserted_line<Knot>& line, const Knot& part, const Arrays& arrays,
+           const Mesh_indexing<Graph>& indexing, Report& report)
   {
     m_column = line.column();
     const Knot rest = Knot(1) - part;
@@ -248,7 +248,7 @@ private:
 ///     \cgalParamDefault{`T_mesh_observer`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{relative_tolerance}
-///     \cgalParamDescription{as for `is_admissible()`}
+///     \cgalParamDescription{as for `check_admissibility()`}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-9, and 0 for exact number types}
 ///   \cgalParamNEnd

@@ -44,7 +44,7 @@ inline const char* message(const Admissibility_status status)
 }
 
 /// \ingroup PkgTSplinesTMesh
-/// The result of `is_admissible()`: what is wrong, where, and how much. Members that `status` does not mention have no
+/// The result of `check_admissibility()`: what is wrong, where, and how much. Members that `status` does not mention have no
 /// meaning.
 /// \tparam Graph a model of `FaceGraph`.
 template <typename Graph>

@@ -57,7 +57,7 @@ inline const char* message(const Spline_compatibility_status status)
 }
 
 /// \ingroup PkgTSplinesTMesh
-/// The result of `is_spline_compatible()` and `make_spline_compatible()`: which condition fails, and where. Members
+/// The result of `check_spline_compatibility()` and `make_spline_compatible()`: which condition fails, and where. Members
 /// that `status` does not mention have no meaning.
 /// \tparam Graph a model of `FaceGraph`.
 template <typename Graph>

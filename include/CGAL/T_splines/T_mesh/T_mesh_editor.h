@@ -8,9 +8,9 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_edit.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
+#include <CGAL/T_splines/T_mesh/check_admissibility.h>
 #include <CGAL/T_splines/T_mesh/internal/Line_shift.h>
 #include <CGAL/T_splines/T_mesh/internal/T_mesh_surgery.h>
-#include <CGAL/T_splines/T_mesh/is_admissible.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/property_map.h>

@@ -6,9 +6,9 @@
 
 #include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
+#include <CGAL/T_splines/T_mesh/check_spline_compatibility.h>
 #include <CGAL/T_splines/T_mesh/internal/Counted_splits.h>
 #include <CGAL/T_splines/T_mesh/internal/Spline_compatibility_repair.h>
-#include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
@@ -68,7 +68,7 @@ bool is_repairable(const TMesh& t_mesh, const NamedParameters& np, Progress& pro
     return false;
   const Mesh_indexing<typename TMesh::Graph> indexing(t_mesh.graph());
   const Spline_structure<double> structure(indexing, t_mesh, progress);
-  result = described(structure.check_vertices(), indexing);
+  result = spline_compatibility_report(structure.check_vertices(), indexing);
   report.extraordinary_vertices = structure.extraordinary_vertices().size();
   report.vertices_before = report.vertices_after = indexing.number_of_vertices();
   report.faces_before = report.faces_after = indexing.number_of_faces();
@@ -90,7 +90,7 @@ void count_elements(const TMesh& t_mesh, Progress& progress, Spline_refinement_r
 } // namespace internal
 
 /// \ingroup PkgTSplinesTMesh
-/// splits faces of a T-mesh with halfedge knots until it carries a T-spline surface: until `is_spline_compatible()`
+/// splits faces of a T-mesh with halfedge knots until it carries a T-spline surface: until `check_spline_compatibility()`
 /// holds ([CZ17] section 8.2).
 ///
 /// - Each extraordinary vertex whose three rings are not regular gets rings, as large as the edges at it and its
@@ -123,7 +123,7 @@ void count_elements(const TMesh& t_mesh, Progress& progress, Spline_refinement_r
 ///       ever smaller faces would follow.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{relative_tolerance}
-///     \cgalParamDescription{as for `is_admissible()`}
+///     \cgalParamDescription{as for `check_admissibility()`}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-9, and 0 for exact number types}
 ///   \cgalParamNEnd

@@ -11,7 +11,7 @@
 #include <CGAL/T_splines/T_mesh/Admissibility_report.h>
 #include <CGAL/T_splines/T_mesh/T_mesh.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/is_admissible.h>
+#include <CGAL/T_splines/T_mesh/check_admissibility.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 

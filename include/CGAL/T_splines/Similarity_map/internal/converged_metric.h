@@ -47,8 +47,8 @@ struct Wider_number_type<long double> {
 
 /// tells in `report` how close the scale periods of short loops have come to their limit.
 template <typename FT, typename TriangleMesh>
-void look_for_limit(const Metric_computation<FT>& computation, Progress& progress,
-                    Similarity_map_report<TriangleMesh>& report)
+void check_reach(const Metric_computation<FT>& computation, Progress& progress,
+                 Similarity_map_report<TriangleMesh>& report)
 {
   constexpr double close = 0.9;
   const Loop_reach<FT> reach = largest_loop_reach(computation.structure, progress);
@@ -136,7 +136,7 @@ private:
     }
     const bool is_near = report.residual < near_residual;
     if (!is_near && flips_by_ptolemy(policy) && report.status != Similarity_map_status::INTERRUPTED)
-      look_for_limit(computation, progress, report);
+      check_reach(computation, progress, report);
     if (report.status != Similarity_map_status::STALLED)
       return;
     if (!is_near && flips_by_ptolemy(policy))

@@ -26,8 +26,8 @@ struct Patch_rectangle {
   double middle_s() const { return s_begin + width() / 2; }
   double middle_t() const { return t_begin + height() / 2; }
 
-  /// The halves along parameter number `axis`.
-  std::array<Patch_rectangle, 2> halves(const int axis) const
+  /// The two rectangles into which the middle of parameter number `axis` cuts it.
+  std::array<Patch_rectangle, 2> bisected(const int axis) const
   {
     std::array<Patch_rectangle, 2> result{*this, *this};
     if (axis == 0)

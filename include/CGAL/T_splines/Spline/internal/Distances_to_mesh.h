@@ -116,7 +116,7 @@ public:
         m_largest.leave_out(cell.bound);
         continue;
       }
-      for (const Patch_rectangle& half : cell.rectangle.halves(axis)) {
+      for (const Patch_rectangle& half : cell.rectangle.bisected(axis)) {
         Cell part = measured(cell.patch, half, cell.triangle, visit);
         part.bound = (std::min)(part.bound, cell.bound);
         m_largest.add(std::move(part));

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_T_SPLINES_SPLINE_INTERNAL_KNOT_LINE_H
-#define CGAL_T_SPLINES_SPLINE_INTERNAL_KNOT_LINE_H
+#ifndef CGAL_T_SPLINES_SPLINE_INTERNAL_INSERTED_LINE_H
+#define CGAL_T_SPLINES_SPLINE_INTERNAL_INSERTED_LINE_H
 
 #include <CGAL/T_splines/Spline/Knot_insertion_report.h>
 #include <CGAL/T_splines/T_mesh/support/Basis_knots.h>
@@ -39,7 +39,7 @@ struct Knot_row {
 /// in the middle, or, if this one lies at the border, in the first or the last one of the three next to the border.
 /// \tparam FT the number type of the knots
 template <typename FT>
-class Knot_line {
+class Inserted_line {
   using Structure = Spline_structure<FT>;
   using Arrays = T_mesh_arrays<FT>;
   using Status = Knot_insertion_status;
@@ -49,7 +49,7 @@ public:
   static constexpr int none = -1;
 
   /// \pre the T-mesh is spline compatible
-  explicit Knot_line(const Structure& structure)
+  explicit Inserted_line(const Structure& structure)
     : m_structure(structure),
       m_t_mesh(structure.knot_arrays()),
       m_is_used(m_t_mesh.number_of_faces()),
@@ -252,4 +252,4 @@ private:
 } // namespace T_splines
 } // namespace CGAL
 
-#endif // CGAL_T_SPLINES_SPLINE_INTERNAL_KNOT_LINE_H
+#endif // CGAL_T_SPLINES_SPLINE_INTERNAL_INSERTED_LINE_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_T_SPLINES_T_MESH_IS_ADMISSIBLE_H
-#define CGAL_T_SPLINES_T_MESH_IS_ADMISSIBLE_H
+#ifndef CGAL_T_SPLINES_T_MESH_CHECK_ADMISSIBILITY_H
+#define CGAL_T_SPLINES_T_MESH_CHECK_ADMISSIBILITY_H
 
 #include <CGAL/T_splines/T_mesh/Admissibility_report.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
@@ -140,7 +140,7 @@ private:
   double m_tolerance;
 };
 
-// What `is_admissible()` does; no stage is begun.
+// What `check_admissibility()` does; no stage is begun.
 template <typename TMesh, typename NamedParameters>
 Admissibility_report<T_mesh_graph<TMesh>> admissibility_report(const TMesh& t_mesh, const NamedParameters& np,
                                                                Progress& progress)
@@ -203,8 +203,8 @@ Admissibility_report<T_mesh_graph<TMesh>> admissibility_report(const TMesh& t_me
 ///
 /// Complexity: linear.
 template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
-Admissibility_report<T_mesh_graph<TMesh>> is_admissible(const TMesh& t_mesh,
-                                                        const NamedParameters& np = CGAL::parameters::default_values())
+Admissibility_report<T_mesh_graph<TMesh>>
+check_admissibility(const TMesh& t_mesh, const NamedParameters& np = CGAL::parameters::default_values())
 {
   const auto visitor = internal::progress_visitor(np);
   internal::Progress progress(visitor);
@@ -215,4 +215,4 @@ Admissibility_report<T_mesh_graph<TMesh>> is_admissible(const TMesh& t_mesh,
 } // namespace T_splines
 } // namespace CGAL
 
-#endif // CGAL_T_SPLINES_T_MESH_IS_ADMISSIBLE_H
+#endif // CGAL_T_SPLINES_T_MESH_CHECK_ADMISSIBILITY_H

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_T_SPLINES_T_MESH_IS_SPLINE_COMPATIBLE_H
-#define CGAL_T_SPLINES_T_MESH_IS_SPLINE_COMPATIBLE_H
+#ifndef CGAL_T_SPLINES_T_MESH_CHECK_SPLINE_COMPATIBILITY_H
+#define CGAL_T_SPLINES_T_MESH_CHECK_SPLINE_COMPATIBILITY_H
 
 #include <CGAL/T_splines/T_mesh/Spline_compatibility_report.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/T_mesh/is_admissible.h>
+#include <CGAL/T_splines/T_mesh/check_admissibility.h>
 #include <CGAL/T_splines/T_mesh/support/Spline_structure.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Progress.h>
@@ -20,7 +20,8 @@ namespace T_splines {
 namespace internal {
 
 template <typename TMesh>
-Spline_compatibility_report<TMesh> described(const Spline_defect& defect, const Mesh_indexing<TMesh>& indexing)
+Spline_compatibility_report<TMesh> spline_compatibility_report(const Spline_defect& defect,
+                                                               const Mesh_indexing<TMesh>& indexing)
 {
   Spline_compatibility_report<TMesh> report;
   report.status = defect.status;
@@ -60,7 +61,7 @@ bool is_known_admissible(const TMesh& t_mesh, const NamedParameters& np, Progres
   return false;
 }
 
-// What `is_spline_compatible()` does; no stage is begun.
+// What `check_spline_compatibility()` does; no stage is begun.
 template <typename TMesh, typename NamedParameters>
 Spline_compatibility_report<T_mesh_graph<TMesh>>
 spline_compatibility_report(const TMesh& t_mesh, const NamedParameters& np, Progress& progress)
@@ -77,7 +78,7 @@ spline_compatibility_report(const TMesh& t_mesh, const NamedParameters& np, Prog
     defect = structure.find_supports(
         [&](int, const Basis_support<FT>& support) { report.self_overlapping_supports += support.overlaps_itself(); });
   const std::size_t self_overlapping_supports = report.self_overlapping_supports;
-  report = described(defect, indexing);
+  report = spline_compatibility_report(defect, indexing);
   report.self_overlapping_supports = self_overlapping_supports;
   return report;
 }
@@ -107,7 +108,7 @@ spline_compatibility_report(const TMesh& t_mesh, const NamedParameters& np, Prog
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{relative_tolerance}
-///     \cgalParamDescription{as for `is_admissible()`}
+///     \cgalParamDescription{as for `check_admissibility()`}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-9, and 0 for exact number types}
 ///   \cgalParamNEnd
@@ -124,7 +125,7 @@ spline_compatibility_report(const TMesh& t_mesh, const NamedParameters& np, Prog
 /// Complexity: linear in the number of pairs of a vertex and a piece of its support, but for a logarithm.
 template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Spline_compatibility_report<T_mesh_graph<TMesh>>
-is_spline_compatible(const TMesh& t_mesh, const NamedParameters& np = CGAL::parameters::default_values())
+check_spline_compatibility(const TMesh& t_mesh, const NamedParameters& np = CGAL::parameters::default_values())
 {
   const auto visitor = internal::progress_visitor(np);
   internal::Progress progress(visitor);
@@ -135,4 +136,4 @@ is_spline_compatible(const TMesh& t_mesh, const NamedParameters& np = CGAL::para
 } // namespace T_splines
 } // namespace CGAL
 
-#endif // CGAL_T_SPLINES_T_MESH_IS_SPLINE_COMPATIBLE_H
+#endif // CGAL_T_SPLINES_T_MESH_CHECK_SPLINE_COMPATIBILITY_H

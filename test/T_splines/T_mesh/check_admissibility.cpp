@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/T_splines/T_mesh/is_admissible.h>
+#include <CGAL/T_splines/T_mesh/check_admissibility.h>
 
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 
@@ -26,7 +26,7 @@ using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Rational = CGAL::Exact_rational;
 using Status = CGAL::T_splines::Admissibility_status;
-using CGAL::T_splines::is_admissible;
+using CGAL::T_splines::check_admissibility;
 using test_t_meshes::Faces;
 
 // Two rings around a cylinder, one face each, as in [CZ17] Fig. 6 right: with one turn the upper one becomes higher by
@@ -49,12 +49,12 @@ template <typename FT>
 CGAL::T_splines::Admissibility_report<Surface_mesh> report(const Faces<FT>& faces)
 {
   test_t_meshes::T_mesh<Surface_mesh, FT> t_mesh(faces);
-  return is_admissible(t_mesh);
+  return check_admissibility(t_mesh);
 }
 
 } // namespace
 
-TEMPLATE_TEST_CASE("T-meshes with cones, scale factors and borders are admissible", "[is_admissible]",
+TEMPLATE_TEST_CASE("T-meshes with cones, scale factors and borders are admissible", "[check_admissibility]",
                    (std::tuple<Surface_mesh, Rational>), (std::tuple<Surface_mesh, double>),
                    (std::tuple<Polyhedron, Rational>), (std::tuple<Polyhedron, double>))
 {
@@ -65,14 +65,14 @@ TEMPLATE_TEST_CASE("T-meshes with cones, scale factors and borders are admissibl
         test_t_meshes::folded_square<FT>(), test_t_meshes::pillow<FT>(), test_t_meshes::genus_two<FT>(),
         test_t_meshes::pinwheel<FT>(FT(3) / FT(2)), test_t_meshes::rectangle<FT>(3, 2)}) {
     test_t_meshes::T_mesh<TMesh, FT> t_mesh(faces);
-    const auto r = is_admissible(t_mesh);
+    const auto r = check_admissibility(t_mesh);
     INFO(message(r.status) << ", " << r.defect);
     CHECK(r);
     CHECK(r.success());
   }
 }
 
-TEST_CASE("of two rings with opposite steps one condition fails whatever the knots are", "[is_admissible]")
+TEST_CASE("of two rings with opposite steps one condition fails whatever the knots are", "[check_admissibility]")
 {
   SECTION("the faces are rectangles: the cycle condition fails at the vertex between the rings")
   {
@@ -105,12 +105,12 @@ TEST_CASE("of two rings with opposite steps one condition fails whatever the kno
   }
 }
 
-TEST_CASE("defects are named with the element and their size", "[is_admissible]")
+TEST_CASE("defects are named with the element and their size", "[check_admissibility]")
 {
   using FT = double;
   Faces<FT> faces = test_t_meshes::torus<FT>(3, 2);
   test_t_meshes::T_mesh<Surface_mesh, FT> t_mesh(faces);
-  const auto check = [&] { return is_admissible(t_mesh); };
+  const auto check = [&] { return check_admissibility(t_mesh); };
   const auto h = t_mesh.halfedge_of(4, 1);
   REQUIRE(check());
 
@@ -152,13 +152,13 @@ TEST_CASE("defects are named with the element and their size", "[is_admissible]"
     put(t_mesh.knots(), h, knot * (1 + 1e-6));
     CHECK(check().status == Status::OPPOSITE_SIDES_DIFFER);
     CHECK(std::abs(check().defect) == Approx(1e-6));
-    CHECK(is_admissible(t_mesh, CGAL::T_splines::parameters::relative_tolerance(1e-5)));
+    CHECK(check_admissibility(t_mesh, CGAL::T_splines::parameters::relative_tolerance(1e-5)));
     put(t_mesh.knots(), h, knot * (1 + 1e-12));
     CHECK(check());
   }
 }
 
-TEST_CASE("exact knots have no tolerance", "[is_admissible]")
+TEST_CASE("exact knots have no tolerance", "[check_admissibility]")
 {
   Faces<Rational> faces = test_t_meshes::torus<Rational>(3, 2);
   faces[3][1].knot += Rational(1) / Rational(1e30);
@@ -167,7 +167,7 @@ TEST_CASE("exact knots have no tolerance", "[is_admissible]")
   CHECK(report(faces).status == Status::CYCLE_CONDITION_VIOLATED);
 }
 
-TEST_CASE("extended valences", "[is_admissible]")
+TEST_CASE("extended valences", "[check_admissibility]")
 {
   using CGAL::T_splines::extended_valence;
   using CGAL::T_splines::is_extraordinary;

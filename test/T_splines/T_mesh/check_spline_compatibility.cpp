@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/T_splines/T_mesh/is_spline_compatible.h>
+#include <CGAL/T_splines/T_mesh/check_spline_compatibility.h>
 
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
 
@@ -27,14 +27,14 @@ using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Rational = CGAL::Exact_rational;
 using Status = CGAL::T_splines::Spline_compatibility_status;
+using CGAL::T_splines::check_spline_compatibility;
 using CGAL::T_splines::extended_valence;
 using CGAL::T_splines::is_border_vertex;
-using CGAL::T_splines::is_spline_compatible;
 
 template <typename Mesh>
 auto report_of(Mesh& t)
 {
-  return is_spline_compatible(t);
+  return check_spline_compatibility(t);
 }
 
 template <typename FT>
@@ -80,9 +80,9 @@ void divide_inner_squares(Mesh& t, const int sectors, const int n)
 
 } // namespace
 
-TEMPLATE_TEST_CASE("three rings around a cone, and two more before a border, are enough", "[is_spline_compatible]",
-                   (std::tuple<Surface_mesh, Rational>), (std::tuple<Surface_mesh, double>),
-                   (std::tuple<Polyhedron, double>))
+TEMPLATE_TEST_CASE("three rings around a cone, and two more before a border, are enough",
+                   "[check_spline_compatibility]", (std::tuple<Surface_mesh, Rational>),
+                   (std::tuple<Surface_mesh, double>), (std::tuple<Polyhedron, double>))
 {
   using Mesh = test_t_meshes::T_mesh<typename std::tuple_element<0, TestType>::type,
                                      typename std::tuple_element<1, TestType>::type>;
@@ -105,7 +105,7 @@ TEMPLATE_TEST_CASE("three rings around a cone, and two more before a border, are
 }
 
 TEST_CASE("supports on a torus may overlap themselves, which they do with less than four columns or rows",
-          "[is_spline_compatible]")
+          "[check_spline_compatibility]")
 {
   for (int columns = 1; columns <= 5; ++columns)
     for (int rows = 1; rows <= 5; ++rows) {
@@ -122,7 +122,8 @@ TEST_CASE("supports on a torus may overlap themselves, which they do with less t
     }
 }
 
-TEMPLATE_TEST_CASE("a support must not contain the centre of a spiral", "[is_spline_compatible]", Rational, double)
+TEMPLATE_TEST_CASE("a support must not contain the centre of a spiral", "[check_spline_compatibility]", Rational,
+                   double)
 {
   using FT = TestType;
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, FT>;
@@ -139,7 +140,7 @@ TEMPLATE_TEST_CASE("a support must not contain the centre of a spiral", "[is_spl
   CHECK(report_of(fine));
 }
 
-TEST_CASE("between two borders there must be three intervals", "[is_spline_compatible]")
+TEST_CASE("between two borders there must be three intervals", "[check_spline_compatibility]")
 {
   for (int columns = 1; columns <= 4; ++columns)
     for (int rows = 1; rows <= 4; ++rows) {
@@ -151,7 +152,7 @@ TEST_CASE("between two borders there must be three intervals", "[is_spline_compa
     }
 }
 
-TEST_CASE("condition A names the vertex and a face of its rings", "[is_spline_compatible]")
+TEST_CASE("condition A names the vertex and a face of its rings", "[check_spline_compatibility]")
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, Rational>;
   SECTION("where other cones are too close")
@@ -186,7 +187,8 @@ TEST_CASE("condition A names the vertex and a face of its rings", "[is_spline_co
   }
 }
 
-TEMPLATE_TEST_CASE("condition B names the vertex, the cone and the face", "[is_spline_compatible]", Rational, double)
+TEMPLATE_TEST_CASE("condition B names the vertex, the cone and the face", "[check_spline_compatibility]", Rational,
+                   double)
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, TestType>;
   const int sectors = GENERATE(3, 5), n = 5;
@@ -203,7 +205,7 @@ TEMPLATE_TEST_CASE("condition B names the vertex, the cone and the face", "[is_s
   CHECK(far.count(report.vertex) == 1);
 }
 
-TEST_CASE("cones of one or two quarter turns need rings as others do", "[is_spline_compatible]")
+TEST_CASE("cones of one or two quarter turns need rings as others do", "[check_spline_compatibility]")
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
   for (const auto& faces : {test_t_meshes::pillow<double>(), test_t_meshes::folded_square<double>()}) {
@@ -214,7 +216,7 @@ TEST_CASE("cones of one or two quarter turns need rings as others do", "[is_spli
   }
 }
 
-TEST_CASE("a border that turns inwards is not supported", "[is_spline_compatible]")
+TEST_CASE("a border that turns inwards is not supported", "[check_spline_compatibility]")
 {
   test_t_meshes::T_mesh<Surface_mesh, double> t(
       test_t_meshes::squares<double>({{0, 1, 2, 3}, {4, 5, 6, 1}, {2, 7, 8, 9}}));
@@ -223,7 +225,7 @@ TEST_CASE("a border that turns inwards is not supported", "[is_spline_compatible
   CHECK(extended_valence(report.vertex, t) == 3);
 }
 
-TEST_CASE("a border that meets itself is not supported", "[is_spline_compatible]")
+TEST_CASE("a border that meets itself is not supported", "[check_spline_compatibility]")
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
   // Two squares, of which a corner each becomes one vertex.
@@ -241,7 +243,7 @@ TEST_CASE("a border that meets itself is not supported", "[is_spline_compatible]
   CHECK(report.vertex == v);
 }
 
-TEST_CASE("inadmissible knots are told first", "[is_spline_compatible]")
+TEST_CASE("inadmissible knots are told first", "[check_spline_compatibility]")
 {
   test_t_meshes::T_mesh<Surface_mesh, double> t(test_t_meshes::pillow<double>());
   put(t.knots(), t.halfedge_of(1, 2), 1.);
