@@ -3,18 +3,29 @@
 
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/include/*.h)
 
-# Every header compiles alone: one translation unit each, without precompiled headers.
+# What a header includes before anything else is compiled alone whenever this header is.
+set(first_includes)
+foreach(header IN LISTS headers)
+  file(STRINGS ${PROJECT_SOURCE_DIR}/include/${header} first_include LIMIT_COUNT 1 REGEX "^#include <[^>]*>")
+  string(REGEX REPLACE "^#include <(.*)>.*" "\\1" first_include "${first_include}")
+  list(APPEND first_includes ${first_include})
+endforeach()
+
+# Every header compiles alone: one translation unit for each that is not a first include, without precompiled headers.
 set(header_sources)
 set(public_includes "")
 foreach(header IN LISTS headers)
   set(include "#include <${header}>\n")
+  if(NOT header MATCHES "/(internal|support)/")
+    string(APPEND public_includes "${include}")
+  endif()
+  if(header IN_LIST first_includes)
+    continue()
+  endif()
   string(MAKE_C_IDENTIFIER ${header} name)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/headers/${name}.cpp)
   file(GENERATE OUTPUT ${source} CONTENT "${include}")
   list(APPEND header_sources ${source})
-  if(NOT header MATCHES "/(internal|support)/")
-    string(APPEND public_includes "${include}")
-  endif()
 endforeach()
 add_library(t_splines_headers OBJECT EXCLUDE_FROM_ALL ${header_sources})
 target_link_libraries(t_splines_headers PRIVATE t_splines_program_settings)

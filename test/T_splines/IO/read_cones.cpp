@@ -3,7 +3,7 @@
 
 #include <CGAL/T_splines/IO/read_cones.h>
 
-#include "../test_meshes.h"
+#include "Cross_field/test_meshes.h"
 
 #include <catch2/catch.hpp>
 

@@ -6,7 +6,7 @@
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
 #include <CGAL/T_splines/IO/read_ffield.h>
 
-#include "../test_meshes.h"
+#include "Cross_field/test_meshes.h"
 
 #include <catch2/catch.hpp>
 
