@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 #include <CGAL/T_splines/internal/mesh_components.h>
 #include <CGAL/T_splines/named_parameters.h>
 
@@ -93,7 +94,7 @@ Smooth_field_options smooth_field_options(const Mesh_indexing<TriangleMesh>& ind
   if constexpr (!std::is_same_v<std::decay_t<decltype(is_constrained)>, CGAL::internal_np::Param_not_found>)
     for (std::size_t e = 0; e < options.is_edge_constrained.size(); ++e)
       options.is_edge_constrained[e] =
-          get(is_constrained, edge(indexing.halfedge(2 * static_cast<int>(e)), mesh)) ? 1 : 0;
+          get(is_constrained, edge(indexing.halfedge(internal::halfedge_of_edge(static_cast<int>(e))), mesh)) ? 1 : 0;
   return options;
 }
 
@@ -116,13 +117,13 @@ void write_matchings(const Mesh_indexing<TriangleMesh>& indexing, const Triangul
                      const std::vector<double>& rotation, const MatchingMap& matchings)
 {
   const std::vector<double> relative = angles_to_halfedges(mesh, geometry, angle);
-  for (int h = 0; h < mesh.number_of_halfedges(); h += 2) {
+  for (int e = 0; e < mesh.number_of_edges(); ++e) {
+    const auto [h, g] = halfedges_of_edge(e);
     int matching = 0;
-    if (mesh.face(h) != Triangulation_connectivity::null && mesh.face(h + 1) != Triangulation_connectivity::null)
-      matching =
-          static_cast<int>(std::lround((rotation[h / 2] - relative[h] + relative[h + 1] + CGAL_PI) / quarter_turn));
+    if (mesh.face(h) != Triangulation_connectivity::null && mesh.face(g) != Triangulation_connectivity::null)
+      matching = static_cast<int>(std::lround((rotation[e] - relative[h] + relative[g] + CGAL_PI) / quarter_turn));
     put(matchings, indexing.halfedge(h), (matching % 4 + 4) % 4);
-    put(matchings, indexing.halfedge(h + 1), (-matching % 4 + 4) % 4);
+    put(matchings, indexing.halfedge(g), (-matching % 4 + 4) % 4);
   }
 }
 

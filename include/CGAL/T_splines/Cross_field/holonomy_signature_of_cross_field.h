@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/Cross_field/support/cross_angles.h>
 #include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -35,7 +36,8 @@ std::vector<double> matched_rotations(const Closed_mesh<TriangleMesh>& mesh, con
   else {
     std::vector<int> matching(mesh.m_connectivity.number_of_edges());
     for (std::size_t e = 0; e < matching.size(); ++e)
-      matching[e] = static_cast<int>(get(matching_map, mesh.m_indexing.halfedge(2 * static_cast<int>(e))));
+      matching[e] = static_cast<int>(
+          get(matching_map, mesh.m_indexing.halfedge(internal::halfedge_of_edge(static_cast<int>(e)))));
     return field_rotations(mesh.m_connectivity, angle, matching);
   }
 }

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/support/Seamless_layout.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/Exact_rational.h>
 
@@ -55,14 +56,14 @@ public:
   /// returns whether the charts of the two faces of `e` differ.
   bool is_cut(const edge_descriptor e) const
   {
-    return m_layout.is_cut(m_indexing.halfedge_index(halfedge(e, mesh())) >> 1);
+    return m_layout.is_cut(internal::edge_of(m_indexing.halfedge_index(halfedge(e, mesh()))));
   }
 
   /// returns the transition from the chart of the face of `h` to that of its opposite's face; the identity off the cut.
   Similarity_2<FT> transition(const halfedge_descriptor h) const
   {
     const int i = m_indexing.halfedge_index(h);
-    return m_layout.is_cut(i >> 1) ? m_layout.transition(i) : Similarity_2<FT>();
+    return m_layout.is_cut(internal::edge_of(i)) ? m_layout.transition(i) : Similarity_2<FT>();
   }
 
   /// returns the cone angle of `v` divided by a right angle: k_v of the signature, 4 at a regular vertex; on the

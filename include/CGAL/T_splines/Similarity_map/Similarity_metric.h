@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Similarity_map/internal/Triangle_angles.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -58,7 +59,7 @@ public:
   /// returns the number of triangles.
   int number_of_faces() const { return m_mesh.number_of_faces(); }
 
-  int opposite(const int h) const { return h ^ 1; }      ///< the other halfedge of the edge of `h`
+  int opposite(const int h) const { return internal::opposite(h); } ///< the other halfedge of the edge of `h`
   int next(const int h) const { return m_mesh.next(h); } ///< the next halfedge around the face, counter-clockwise
   int face(const int h) const { return m_mesh.face(h); } ///< the face on the left of `h`
   int halfedge(const int f) const { return m_mesh.halfedge_of_face(f); } ///< a halfedge of face `f`
@@ -67,8 +68,11 @@ public:
     return m_vertices[m_mesh.target(h)];
   } ///< the vertex of the mesh that `h` points to
 
-  const FT& log_length(const int e) const { return m_log_length[e]; }                   ///< unscaled, of edge `e`
-  FT form(const int h) const { return (h & 1) ? FT(-m_form[h >> 1]) : m_form[h >> 1]; } ///< xi of the halfedge `h`
+  const FT& log_length(const int e) const { return m_log_length[e]; } ///< unscaled, of edge `e`
+  FT form(const int h) const
+  {
+    return internal::is_along_edge(h) ? m_form[internal::edge_of(h)] : FT(-m_form[internal::edge_of(h)]);
+  } ///< xi of the halfedge `h`
 
   /// phi at the vertex with index `i`, the i-th in the order of `vertices(mesh)`; 0 at the first vertex of each
   /// component. On a surface of genus 0 it is the logarithm of the conformal scale factor; otherwise it is continued
@@ -90,8 +94,9 @@ private:
   std::array<FT, 3> log_lengths(const int f) const
   {
     const int h = halfedge(f), j = next(h), k = next(j);
-    return {FT(m_log_length[h >> 1] + (form(k) - form(j)) / 6), FT(m_log_length[j >> 1] + (form(h) - form(k)) / 6),
-            FT(m_log_length[k >> 1] + (form(j) - form(h)) / 6)};
+    return {FT(m_log_length[internal::edge_of(h)] + (form(k) - form(j)) / 6),
+            FT(m_log_length[internal::edge_of(j)] + (form(h) - form(k)) / 6),
+            FT(m_log_length[internal::edge_of(k)] + (form(j) - form(h)) / 6)};
   }
 
   internal::Triangulation_connectivity m_mesh;

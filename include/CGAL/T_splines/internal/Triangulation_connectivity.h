@@ -4,6 +4,8 @@
 #ifndef CGAL_T_SPLINES_INTERNAL_TRIANGULATION_CONNECTIVITY_H
 #define CGAL_T_SPLINES_INTERNAL_TRIANGULATION_CONNECTIVITY_H
 
+#include <CGAL/T_splines/internal/halfedge_indices.h>
+
 #include <CGAL/assertions.h>
 
 #include <cstddef>
@@ -15,7 +17,7 @@ namespace internal {
 
 /// The connectivity of a closed oriented triangulated surface in index arrays.
 ///
-/// Edge `e` consists of the halfedges `2e` and `2e + 1`. The triangulation may be non-simple: an edge may join a
+/// Halfedges and edges are numbered as in `halfedge_indices.h`. The triangulation may be non-simple: an edge may join a
 /// vertex to itself, two edges may join the same vertices, and a triangle may meet itself along an edge. Nothing is
 /// looked up by vertex pairs, therefore, and every halfedge is named by its index.
 struct Triangulation_connectivity {
@@ -28,10 +30,7 @@ struct Triangulation_connectivity {
   std::vector<Index> m_face_halfedge; ///< per face: one of its halfedges
   Index m_number_of_vertices = 0;
 
-  static Index opposite(const Index h) { return h ^ 1; }
-  static Index edge(const Index h) { return h >> 1; }
-  static Index halfedge_of_edge(const Index e) { return 2 * e; }
-
+  static Index opposite(const Index h) { return internal::opposite(h); }
   Index next(const Index h) const { return m_next[h]; }
   Index previous(const Index h) const { return m_next[m_next[h]]; }
   Index target(const Index h) const { return m_target[h]; }

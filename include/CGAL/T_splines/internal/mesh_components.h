@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_INTERNAL_MESH_COMPONENTS_H
 
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <cstddef>
 #include <vector>
@@ -50,7 +51,7 @@ inline Mesh_components mesh_components(const Triangulation_connectivity& mesh)
           result.of_vertex[mesh.target(h)] = component;
           ++number_of_vertices;
         }
-        const Index neighbor = mesh.face(mesh.opposite(h));
+        const Index neighbor = mesh.face(opposite(h));
         if (neighbor == null)
           ++number_of_border_edges;
         else if (result.of_face[neighbor] == null) {

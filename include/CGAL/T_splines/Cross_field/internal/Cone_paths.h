@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Cross_field/internal/Edge_distances.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/assertions.h>
 
@@ -45,7 +46,7 @@ public:
       m_cone_of_vertex[vertices[i]] = static_cast<int>(i);
     for (std::size_t l = 0; l < strips.size(); ++l)
       for (const int h : strips[l])
-        m_passages[mesh.edge(h)].emplace_back(static_cast<int>(l), h % 2 == 0 ? 1 : -1);
+        m_passages[edge_of(h)].emplace_back(static_cast<int>(l), is_along_edge(h) ? 1 : -1);
   }
 
   /// For each loop, how often it enters faces by halfedges of the path, minus how often by their opposites.
@@ -111,11 +112,11 @@ private:
     crossings.assign(m_number_of_loops, 0);
     const int direction = from < cone ? 1 : -1;
     for (const int h : m_distances.path_to(v)) {
-      const auto passages = m_passages.find(m_mesh.edge(h));
+      const auto passages = m_passages.find(edge_of(h));
       if (passages == m_passages.end())
         continue;
       for (const auto& [loop, sign] : passages->second)
-        crossings[loop] += h % 2 == 0 ? direction * sign : -direction * sign;
+        crossings[loop] += is_along_edge(h) ? direction * sign : -direction * sign;
     }
   }
 

@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/Solver/support/Hermitian_rows.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -86,10 +87,10 @@ private:
   {
     const Triangulation_connectivity& mesh = frames.m_mesh;
     for (const int even : halfedges) {
-      for (const int h : {even, mesh.opposite(even)}) {
+      for (const int h : {even, opposite(even)}) {
         if (mesh.face(h) == Triangulation_connectivity::null)
           continue;
-        const double area = 0.5 * frames.m_length[mesh.edge(h)] * frames.m_length[mesh.edge(mesh.next(h))] *
+        const double area = 0.5 * frames.m_length[edge_of(h)] * frames.m_length[edge_of(mesh.next(h))] *
                             std::sin(frames.corner_angle(h));
         m_area += area / 3;
         const int i = m_index[mesh.target(h) - m_first];
@@ -108,14 +109,14 @@ private:
   {
     const Triangulation_connectivity& mesh = frames.m_mesh;
     double weight = 0;
-    for (const int side : {h, mesh.opposite(h)})
+    for (const int side : {h, opposite(h)})
       if (mesh.face(side) != Triangulation_connectivity::null)
         weight += 0.5 * frames.cotangent_opposite(side);
     weight = (std::max)(weight, 0.);
     const int v = mesh.source(h), w = mesh.target(h);
     const int i = m_index[v - m_first], j = m_index[w - m_first];
     // A vector of angle a at v is carried to w at the angle a - direction(h) + direction(opposite(h)) + pi.
-    const Complex transport = std::polar(1., 4 * (frames.direction(mesh.opposite(h)) + CGAL_PI - frames.direction(h)));
+    const Complex transport = std::polar(1., 4 * (frames.direction(opposite(h)) + CGAL_PI - frames.direction(h)));
     if (v == w) {
       if (i != Triangulation_connectivity::null)
         m_diagonal[i] += weight * std::norm(1. - transport);

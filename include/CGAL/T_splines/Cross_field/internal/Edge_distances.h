@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_EDGE_DISTANCES_H
 
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <algorithm>
 #include <functional>
@@ -57,7 +58,7 @@ public:
       int h = m_outgoing[v];
       do {
         const int w = m_mesh.target(h);
-        const double via_v = distance + m_length[m_mesh.edge(h)];
+        const double via_v = distance + m_length[edge_of(h)];
         if (via_v < m_distance[w]) {
           if (m_distance[w] == std::numeric_limits<double>::infinity())
             m_reached.push_back(w);

@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 #include <CGAL/T_splines/internal/mesh_components.h>
 
 #include <algorithm>
@@ -42,12 +43,12 @@ public:
     std::vector<Sparse_form> on_edge(mesh.number_of_edges()); // forms and values
     for (std::size_t l = 0; l < strips.size(); ++l)
       for (const int h : strips[l])
-        add_value(on_edge[h / 2], static_cast<int>(l), h % 2 == 0 ? 1 : -1);
+        add_value(on_edge[edge_of(h)], static_cast<int>(l), is_along_edge(h) ? 1 : -1);
     const auto carry_over = [&](const int h, const int h1, const int /*h2*/, const int /*g1*/, const int g2) {
-      on_edge[h / 2].clear();
+      on_edge[edge_of(h)].clear();
       for (const int side : {g2, h1})
-        for (const auto& [form, value] : on_edge[side / 2])
-          add_value(on_edge[h / 2], form, side % 2 == 0 ? value : -value);
+        for (const auto& [form, value] : on_edge[edge_of(side)])
+          add_value(on_edge[edge_of(h)], form, is_along_edge(side) ? value : -value);
     };
     flip_to_delaunay(m_surface, carry_over, progress);
     progress.go_on();
@@ -55,9 +56,10 @@ public:
       for (const auto& [form, value] : on_edge[e])
         m_forms[form].emplace_back(static_cast<int>(e), value);
     // Not negative but for round-off; zeros might tear vertices off.
-    for (int h = 0; h < mesh.number_of_halfedges(); h += 2)
-      m_weight.push_back(
-          (std::max)(0.5 * (m_surface.cotangent_opposite(h) + m_surface.cotangent_opposite(mesh.opposite(h))), 1e-10));
+    for (int e = 0; e < mesh.number_of_edges(); ++e) {
+      const auto [h, g] = halfedges_of_edge(e);
+      m_weight.push_back((std::max)(0.5 * (m_surface.cotangent_opposite(h) + m_surface.cotangent_opposite(g)), 1e-10));
+    }
     for (const int f : components.first_face)
       m_row[mesh.target(mesh.halfedge_of_face(f))] = null;
     int size = 0;
@@ -92,8 +94,8 @@ public:
   void for_each_flow(const Sparse_form& form, const Add& add) const
   {
     for (const auto& [e, value] : form) {
-      add(m_surface.m_mesh.source(2 * e), m_weight[e] * value);
-      add(m_surface.m_mesh.target(2 * e), -m_weight[e] * value);
+      add(m_surface.m_mesh.source(halfedge_of_edge(e)), m_weight[e] * value);
+      add(m_surface.m_mesh.target(halfedge_of_edge(e)), -m_weight[e] * value);
     }
   }
 
@@ -102,8 +104,8 @@ public:
   {
     std::vector<double> result(m_weight.size());
     for (std::size_t e = 0; e < result.size(); ++e)
-      result[e] = function[m_surface.m_mesh.target(2 * static_cast<int>(e))] -
-                  function[m_surface.m_mesh.source(2 * static_cast<int>(e))];
+      result[e] = function[m_surface.m_mesh.target(halfedge_of_edge(static_cast<int>(e)))] -
+                  function[m_surface.m_mesh.source(halfedge_of_edge(static_cast<int>(e)))];
     for (const auto& [e, value] : form)
       result[e] += value;
     return result;
@@ -132,7 +134,7 @@ private:
     std::vector<Entry> entries;
     entries.reserve(m_weight.size());
     for (std::size_t e = 0; e < m_weight.size(); ++e) {
-      const int h = 2 * static_cast<int>(e);
+      const int h = halfedge_of_edge(static_cast<int>(e));
       const int i = m_row[m_surface.m_mesh.source(h)], j = m_row[m_surface.m_mesh.target(h)];
       if (m_surface.m_mesh.source(h) == m_surface.m_mesh.target(h))
         continue;

@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/Solver/support/multigrid_iterations.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +86,7 @@ private:
   static constexpr double tie_margin = 1e-6; // a rotation this close to the largest may be rounded the other way
 
   double rotation(const int h) const { return rotation_into(m_rotation, h); }
-  void add_rotation(const int h, const double change) { m_rotation[h / 2] += h % 2 == 0 ? change : -change; }
+  void add_rotation(const int h, const double change) { m_rotation[edge_of(h)] += is_along_edge(h) ? change : -change; }
 
   // Calls `function(h)` for the halfedges out of `v`; `v` may lie on the border.
   template <typename Function>
@@ -100,7 +101,7 @@ private:
       if (h == m_outgoing[v])
         return;
     }
-    for (h = m_mesh.opposite(m_outgoing[v]); m_mesh.face(h) != null; h = m_mesh.opposite(m_mesh.next(h)))
+    for (h = opposite(m_outgoing[v]); m_mesh.face(h) != null; h = opposite(m_mesh.next(h)))
       function(m_mesh.next(h));
   }
 
@@ -152,7 +153,7 @@ private:
   // Whether the edge of `h` has two faces, and the rotation across it stays less than half a turn.
   bool is_free_to_turn(const int h) const
   {
-    return m_mesh.face(h) != null && m_mesh.face(m_mesh.opposite(h)) != null &&
+    return m_mesh.face(h) != null && m_mesh.face(opposite(h)) != null &&
            std::abs(rotation(h) - quarter_turn) < 2 * quarter_turn - tie_margin;
   }
 
@@ -215,7 +216,7 @@ private:
     for (std::size_t i = 0; i < faces.size(); ++i) {
       int h = m_mesh.halfedge_of_face(faces[i]);
       for (int corner = 0; corner < 3; ++corner, h = m_mesh.next(h))
-        if (m_mesh.face(m_mesh.opposite(h)) != null)
+        if (m_mesh.face(opposite(h)) != null)
           function(static_cast<int>(i), h);
     }
   }
@@ -235,7 +236,7 @@ private:
       solve_turns(faces, weight, turn);
       // Across an edge with crosses that are fixed on both sides a quarter turn cannot be carried.
       is_closest = std::all_of(m_crossed.begin(), m_crossed.end(), [this](const int h) {
-        return m_unknown[m_mesh.face(h)] != null || m_unknown[m_mesh.face(m_mesh.opposite(h))] != null;
+        return m_unknown[m_mesh.face(h)] != null || m_unknown[m_mesh.face(opposite(h))] != null;
       });
       if (!is_closest)
         break;
@@ -248,7 +249,7 @@ private:
     }
     if (is_closest) {
       for_each_side(faces, [&](const int i, const int h) {
-        if (h % 2 == 0 || m_unknown[m_mesh.face(m_mesh.opposite(h))] == null)
+        if (is_along_edge(h) || m_unknown[m_mesh.face(opposite(h))] == null)
           add_rotation(h, turned_rotation(i, h, turn) - rotation(h));
       });
       for (std::size_t i = 0; i < faces.size(); ++i)
@@ -262,7 +263,7 @@ private:
   // The rotation into face number `i` across its halfedge `h`.
   double turned_rotation(const int i, const int h, const std::vector<double>& turn) const
   {
-    const int j = m_unknown[m_mesh.face(m_mesh.opposite(h))];
+    const int j = m_unknown[m_mesh.face(opposite(h))];
     return rotation(h) + turn[i] - (j == null ? 0. : turn[j]);
   }
 
@@ -273,7 +274,7 @@ private:
     std::vector<Hermitian_rows<double>::Lower_entry> entries;
     std::size_t side = 0;
     for_each_side(faces, [&](const int i, const int h) {
-      const int j = m_unknown[m_mesh.face(m_mesh.opposite(h))];
+      const int j = m_unknown[m_mesh.face(opposite(h))];
       const double w = weight[side++];
       diagonal[i] += w;
       right_hand_side[i] -= w * rotation(h);

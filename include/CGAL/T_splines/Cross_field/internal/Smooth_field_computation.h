@@ -14,6 +14,7 @@
 #include <CGAL/T_splines/Solver/support/multigrid_iterations.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 #include <CGAL/T_splines/internal/mesh_components.h>
 
 #include <algorithm>
@@ -75,8 +76,10 @@ public:
     for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
       if (components.of_vertex[v] != null)
         vertices[components.of_vertex[v]].push_back(v);
-    for (int h = 0; h < m_mesh.number_of_halfedges(); h += 2)
+    for (int e = 0; e < m_mesh.number_of_edges(); ++e) {
+      const int h = halfedge_of_edge(e);
       halfedges[components.of_vertex[m_mesh.target(h)]].push_back(h);
+    }
     for (int f = 0; f < m_mesh.number_of_faces(); ++f)
       faces[components.of_face[f]].push_back(f);
     for (int c = 0; c < components.size(); ++c) {
@@ -119,7 +122,7 @@ private:
   {
     std::vector<double> total(m_mesh.number_of_vertices(), 0.);
     for (int h = 0; h < m_mesh.number_of_halfedges(); ++h) {
-      const int e = m_mesh.edge(h);
+      const int e = edge_of(h);
       if (!m_options.is_edge_constrained[e])
         continue;
       m_fixed[m_mesh.source(h)] += std::polar(m_geometry.m_edge_length[e], 4 * m_frames.direction(h));
@@ -139,8 +142,8 @@ private:
     double total = 0, longest = 0, direction_of_longest = 0;
     int h = m_mesh.halfedge_of_face(f);
     for (int corner = 0; corner < 3; ++corner, h = m_mesh.next(h)) {
-      const double length = m_geometry.m_edge_length[m_mesh.edge(h)];
-      if (!m_options.is_edge_constrained[m_mesh.edge(h)])
+      const double length = m_geometry.m_edge_length[edge_of(h)];
+      if (!m_options.is_edge_constrained[edge_of(h)])
         continue;
       sum += std::polar(length, 4 * m_geometry.direction(m_mesh, h));
       total += length;

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -38,8 +39,8 @@ struct Vertex_frames {
   /// The angle of the face of `h` at the target of `h`.
   double corner_angle(const int h) const
   {
-    const double a = m_length[m_mesh.edge(h)], b = m_length[m_mesh.edge(m_mesh.next(h))],
-                 c = m_length[m_mesh.edge(m_mesh.previous(h))];
+    const double a = m_length[edge_of(h)], b = m_length[edge_of(m_mesh.next(h))],
+                 c = m_length[edge_of(m_mesh.previous(h))];
     const double numerator = (c - (a - b)) * (c + (a - b)), denominator = ((a + b) - c) * ((a + b) + c);
     return 2 * std::atan2(std::sqrt((std::max)(0., numerator)), std::sqrt((std::max)(0., denominator)));
   }
@@ -72,9 +73,9 @@ inline Vertex_frames vertex_frames(const Triangulation_connectivity& mesh, const
     int first = outgoing[v];
     bool is_on_border = false;
     do { // clockwise, to the border if there is one
-      is_on_border = mesh.face(mesh.opposite(first)) == null;
+      is_on_border = mesh.face(opposite(first)) == null;
       if (!is_on_border)
-        first = mesh.next(mesh.opposite(first));
+        first = mesh.next(opposite(first));
     } while (!is_on_border && first != outgoing[v]);
     int h = first;
     do {
@@ -108,7 +109,8 @@ void flip_to_delaunay(Vertex_frames& frames, const OnFlip& on_flip, Progress& pr
   for (int e = 0; e < mesh.number_of_edges(); ++e)
     queue[e] = e;
   while (!queue.empty() && flips_left > 0 && progress.go_on_after(4)) {
-    const int e = queue.back(), h = 2 * e, g = h + 1;
+    const int e = queue.back();
+    const auto [h, g] = halfedges_of_edge(e);
     queue.pop_back();
     is_queued[e] = 0;
     if (mesh.face(h) == null || mesh.face(g) == null || mesh.face(h) == mesh.face(g))
@@ -117,16 +119,16 @@ void flip_to_delaunay(Vertex_frames& frames, const OnFlip& on_flip, Progress& pr
     if (frames.corner_angle(h1) + frames.corner_angle(g1) <= CGAL_PI + tolerance)
       continue;
     // The other diagonal, by the law of cosines in a form without cancellation.
-    const double b = frames.m_length[mesh.edge(h2)], c = frames.m_length[mesh.edge(g1)];
+    const double b = frames.m_length[edge_of(h2)], c = frames.m_length[edge_of(g1)];
     const double sine = std::sin((frames.corner_angle(h2) + frames.corner_angle(g)) / 2);
     mesh.flip(h);
     --flips_left;
     frames.m_length[e] = std::sqrt((b - c) * (b - c) + 4 * b * c * sine * sine);
     on_flip(h, h1, h2, g1, g2);
     for (const int side : {h1, h2, g1, g2}) {
-      if (!is_queued[mesh.edge(side)]) {
-        is_queued[mesh.edge(side)] = 1;
-        queue.push_back(mesh.edge(side));
+      if (!is_queued[edge_of(side)]) {
+        is_queued[edge_of(side)] = 1;
+        queue.push_back(edge_of(side));
       }
     }
   }
@@ -145,7 +147,7 @@ inline void make_delaunay(Vertex_frames& frames, Progress& progress)
       frames,
       [&](const int h, const int /*h1*/, const int h2, const int /*g1*/, const int g2) {
         place_after(h, g2);
-        place_after(mesh.opposite(h), h2);
+        place_after(opposite(h), h2);
       },
       progress);
 }

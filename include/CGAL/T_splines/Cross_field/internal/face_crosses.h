@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +64,7 @@ public:
       int h = m_mesh.halfedge_of_face(f);
       for (int corner = 0; corner < 3; ++corner, h = m_mesh.next(h)) {
         m_turning[m_mesh.target(h)] += m_geometry.m_corner_angle[h];
-        const int g = m_mesh.opposite(h);
+        const int g = opposite(h);
         if (m_mesh.face(g) == Triangulation_connectivity::null)
           m_turning[m_mesh.source(h)] = m_turning[m_mesh.target(h)] = border;
         else if (h < g) {

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Cross_field/internal/strip_turning.h>
 #include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -38,9 +39,9 @@ inline std::vector<double> field_rotations(const Triangulation_connectivity& mes
 {
   std::vector<double> rotation(mesh.number_of_edges(), 0.);
   for (int e = 0; e < mesh.number_of_edges(); ++e) {
-    const int h = 2 * e;
-    if (mesh.face(h) != Triangulation_connectivity::null && mesh.face(h + 1) != Triangulation_connectivity::null)
-      rotation[e] = std::remainder(angle[h] - angle[h + 1], quarter_turn);
+    const auto [h, g] = halfedges_of_edge(e);
+    if (mesh.face(h) != Triangulation_connectivity::null && mesh.face(g) != Triangulation_connectivity::null)
+      rotation[e] = std::remainder(angle[h] - angle[g], quarter_turn);
   }
   return rotation;
 }
@@ -53,10 +54,10 @@ inline std::vector<double> field_rotations(const Triangulation_connectivity& mes
 {
   std::vector<double> rotation(mesh.number_of_edges(), 0.);
   for (int e = 0; e < mesh.number_of_edges(); ++e) {
-    const int h = 2 * e;
-    if (mesh.face(h) == Triangulation_connectivity::null || mesh.face(h + 1) == Triangulation_connectivity::null)
+    const auto [h, g] = halfedges_of_edge(e);
+    if (mesh.face(h) == Triangulation_connectivity::null || mesh.face(g) == Triangulation_connectivity::null)
       continue;
-    rotation[e] = std::remainder(angle[h] + matching[e] * quarter_turn - angle[h + 1] - CGAL_PI, 2 * CGAL_PI);
+    rotation[e] = std::remainder(angle[h] + matching[e] * quarter_turn - angle[g] - CGAL_PI, 2 * CGAL_PI);
   }
   return rotation;
 }
@@ -64,7 +65,7 @@ inline std::vector<double> field_rotations(const Triangulation_connectivity& mes
 /// The rotation of the field on entering the face of `h`.
 inline double rotation_into(const std::vector<double>& rotation, const int h)
 {
-  return h % 2 == 0 ? rotation[h / 2] : -rotation[h / 2];
+  return is_along_edge(h) ? rotation[edge_of(h)] : -rotation[edge_of(h)];
 }
 
 /// How many quarter turns the counter-clockwise loop around each vertex makes relative to the field; an integer up to

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Cross_field/support/homology_loops.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -39,11 +40,11 @@ public:
   /// computes the halfedges of the cycle of generator `e`: edge `e` from its source to its target and back in the tree.
   std::vector<Index> cycle(const Index e) const
   {
-    std::vector<Index> result(1, 2 * e);
-    Index v = m_mesh.target(2 * e), w = m_mesh.source(2 * e);
+    std::vector<Index> result(1, halfedge_of_edge(e));
+    Index v = m_mesh.target(halfedge_of_edge(e)), w = m_mesh.source(halfedge_of_edge(e));
     while (v != w) {
       if (m_depth[v] >= m_depth[w]) {
-        result.push_back(m_mesh.opposite(m_entry[v]));
+        result.push_back(opposite(m_entry[v]));
         v = m_mesh.source(m_entry[v]);
       }
       else {
@@ -68,7 +69,7 @@ private:
       Index h = first;
       do {
         const Index v = m_mesh.target(h);
-        if (v != root && m_entry[v] == null && !is_generator[m_mesh.edge(h)] && !decomposition.in_dual_tree(h)) {
+        if (v != root && m_entry[v] == null && !is_generator[edge_of(h)] && !decomposition.in_dual_tree(h)) {
           m_entry[v] = h;
           m_depth[v] = m_depth[queue[i]] + 1;
           queue.push_back(v);
@@ -147,7 +148,7 @@ inline bool generate_homology(const Triangulation_connectivity& mesh, const std:
     const std::vector<int> cycle = cycles.cycle(e);
     for (const int h : cycle) {
       crossing[h] += 1;
-      crossing[mesh.opposite(h)] -= 1;
+      crossing[opposite(h)] -= 1;
     }
     for (std::size_t i = 0; i < strips.size(); ++i) {
       int sum = 0;
@@ -158,7 +159,7 @@ inline bool generate_homology(const Triangulation_connectivity& mesh, const std:
         return true;
     }
     for (const int h : cycle)
-      crossing[h] = crossing[mesh.opposite(h)] = 0;
+      crossing[h] = crossing[opposite(h)] = 0;
   }
   constexpr std::int64_t primes[] = {2147483647, 2147483629};
   const std::int64_t first = determinant_modulo(coordinates, primes[0], progress);

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Cross_field/internal/Vertex_frames.h>
 #include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <cmath>
 #include <complex>
@@ -19,7 +20,7 @@ namespace internal {
 /// The angle between the normals of the two faces of an edge, positive where the surface is convex.
 inline double dihedral_angle(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry, const int e)
 {
-  const int f = mesh.face(2 * e), g = mesh.face(2 * e + 1);
+  const int h = halfedge_of_edge(e), f = mesh.face(h), g = mesh.face(opposite(h));
   if (f == Triangulation_connectivity::null || g == Triangulation_connectivity::null)
     return 0;
   const Triangle_geometry::Vector_3 axis = geometry.m_edge_vector[e] / geometry.m_edge_length[e];
@@ -40,7 +41,7 @@ inline std::vector<std::complex<double>> principal_crosses(const Triangulation_c
   std::vector<double> area(mesh.number_of_vertices(), 0.);
   std::vector<std::complex<double>> crosses(mesh.number_of_vertices());
   for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
-    const double bend = 0.5 * dihedral_angle(mesh, geometry, mesh.edge(h)) * geometry.m_edge_length[mesh.edge(h)];
+    const double bend = 0.5 * dihedral_angle(mesh, geometry, edge_of(h)) * geometry.m_edge_length[edge_of(h)];
     crosses[mesh.source(h)] += bend * std::polar(1., 2 * frames.direction(h));
     if (mesh.face(h) != Triangulation_connectivity::null)
       area[mesh.target(h)] += geometry.m_area[mesh.face(h)] / 3;

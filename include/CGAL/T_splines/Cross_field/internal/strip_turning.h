@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_STRIP_TURNING_H
 
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/assertions.h>
 
@@ -21,7 +22,7 @@ inline bool is_closed_strip(const Triangulation_connectivity& mesh, const std::v
 {
   for (std::size_t i = 0; i < strip.size(); ++i) {
     const int in = strip[i];
-    const int out = mesh.opposite(strip[i + 1 < strip.size() ? i + 1 : 0]);
+    const int out = opposite(strip[i + 1 < strip.size() ? i + 1 : 0]);
     if (mesh.face(in) == Triangulation_connectivity::null || mesh.face(out) != mesh.face(in) || in == out)
       return false;
   }
@@ -40,7 +41,7 @@ FT strip_turning(const Triangulation_connectivity& mesh, const std::vector<int>&
   FT turning(0);
   for (std::size_t i = 0; i < strip.size(); ++i) {
     const int in = strip[i];
-    const int out = mesh.opposite(strip[i + 1 < strip.size() ? i + 1 : 0]);
+    const int out = opposite(strip[i + 1 < strip.size() ? i + 1 : 0]);
     if (out == mesh.next(in))
       turning -= corner_angle[in]; // the strip's direction is the left normal of `in`: its target is on the right
     else

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_type_basic.h>
@@ -40,14 +41,14 @@ struct Triangle_geometry {
   /// The vector from the source to the target of `h`.
   Vector_3 vector(const int h) const
   {
-    const Vector_3& v = m_edge_vector[Triangulation_connectivity::edge(h)];
-    return h % 2 == 0 ? v : -v;
+    const Vector_3& v = m_edge_vector[edge_of(h)];
+    return is_along_edge(h) ? v : -v;
   }
 
   Vector_3 x_axis(const Triangulation_connectivity& mesh, const int f) const
   {
     const int h = mesh.halfedge_of_face(f);
-    return vector(h) / m_edge_length[Triangulation_connectivity::edge(h)];
+    return vector(h) / m_edge_length[edge_of(h)];
   }
 
   Vector_3 y_axis(const Triangulation_connectivity& mesh, const int f) const
@@ -77,7 +78,7 @@ inline void compute_face_geometry(const Triangulation_connectivity& mesh, const 
     geometry.m_corner_angle[h] = std::atan2(CGAL::approximate_sqrt(normal.squared_length()), a * b);
   }
   for (const int g : {mesh.next(h), mesh.previous(h)})
-    if (geometry.m_edge_length[mesh.edge(g)] > geometry.m_edge_length[mesh.edge(h)])
+    if (geometry.m_edge_length[edge_of(g)] > geometry.m_edge_length[edge_of(h)])
       h = g;
   const Vector_3 longest = geometry.vector(h);
   // The corner opposite to the longest edge has the two shorter ones: there the cross product loses least.
@@ -86,7 +87,7 @@ inline void compute_face_geometry(const Triangulation_connectivity& mesh, const 
   const double smallest = 1e-16 * longest.squared_length();
   if (!(double_area > 0)) {
     const Vector_3 axis =
-        std::abs(longest.x()) < 0.5 * geometry.m_edge_length[mesh.edge(h)] ? Vector_3(1, 0, 0) : Vector_3(0, 1, 0);
+        std::abs(longest.x()) < 0.5 * geometry.m_edge_length[edge_of(h)] ? Vector_3(1, 0, 0) : Vector_3(0, 1, 0);
     normal = CGAL::cross_product(longest, axis);
     double_area = CGAL::approximate_sqrt(normal.squared_length());
     geometry.m_area[f] = 0.5 * smallest;
@@ -110,8 +111,8 @@ Triangle_geometry triangle_geometry(const Mesh_indexing<FaceGraph>& indexing, co
   geometry.m_normal.resize(mesh.number_of_faces());
   double largest = 0;
   for (int e = 0; e < mesh.number_of_edges(); ++e) {
-    const auto& p = get(points, indexing.vertex(mesh.source(2 * e)));
-    const auto& q = get(points, indexing.vertex(mesh.target(2 * e)));
+    const auto& p = get(points, indexing.vertex(mesh.source(halfedge_of_edge(e))));
+    const auto& q = get(points, indexing.vertex(mesh.target(halfedge_of_edge(e))));
     const Vector_3 v(CGAL::to_double(q.x() - p.x()), CGAL::to_double(q.y() - p.y()), CGAL::to_double(q.z() - p.z()));
     geometry.m_edge_vector[e] = v;
     largest = (std::max)({largest, std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
@@ -135,7 +136,7 @@ inline std::vector<double> dual_edge_lengths(const Triangulation_connectivity& m
       continue;
     // The barycenter lies on the median of the edge, at a third of its length.
     const Triangle_geometry::Vector_3 twice_median = geometry.vector(mesh.next(h)) - geometry.vector(mesh.previous(h));
-    result[mesh.edge(h)] += CGAL::approximate_sqrt(twice_median.squared_length()) / 6;
+    result[edge_of(h)] += CGAL::approximate_sqrt(twice_median.squared_length()) / 6;
   }
   return result;
 }

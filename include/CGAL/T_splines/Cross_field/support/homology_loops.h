@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 #include <CGAL/T_splines/internal/mesh_components.h>
 
 #include <CGAL/assertions.h>
@@ -58,7 +59,7 @@ public:
     find_core(faces);
     m_loop_length.clear();
     for (const Index e : m_core) {
-      if (!progress.go_on_after(m_depth[m_mesh.face(2 * e)] / 8))
+      if (!progress.go_on_after(m_depth[m_mesh.face(halfedge_of_edge(e))] / 8))
         return 0;
       m_loop_length.emplace_back(loop_length(e), e);
     }
@@ -73,12 +74,12 @@ public:
   /// the halfedges by which the loop that edge `e` closes enters its faces, no face twice.
   std::vector<Index> loop(const Index e) const
   {
-    const Index h = m_mesh.halfedge_of_edge(e);
-    const Index last = m_mesh.face(m_mesh.opposite(h));
+    const Index h = halfedge_of_edge(e);
+    const Index last = m_mesh.face(opposite(h));
     const Index top = lowest_common_ancestor(m_mesh.face(h), last);
     std::vector<Index> result(1, h);
     for (Index f = m_mesh.face(h); f != top; f = parent(f))
-      result.push_back(m_mesh.opposite(m_entry[f]));
+      result.push_back(opposite(m_entry[f]));
     const std::size_t number_up = result.size();
     for (Index f = last; f != top; f = parent(f))
       result.push_back(m_entry[f]);
@@ -89,11 +90,11 @@ public:
   /// tells whether the dual tree crosses the edge of `h`.
   bool in_dual_tree(const Index h) const
   {
-    return m_entry[m_mesh.face(h)] == h || m_entry[m_mesh.face(m_mesh.opposite(h))] == m_mesh.opposite(h);
+    return m_entry[m_mesh.face(h)] == h || m_entry[m_mesh.face(opposite(h))] == opposite(h);
   }
 
 private:
-  Index parent(const Index f) const { return m_mesh.face(m_mesh.opposite(m_entry[f])); }
+  Index parent(const Index f) const { return m_mesh.face(opposite(m_entry[f])); }
 
   void grow_dual_tree(const std::vector<Index>& faces, const Index root, Progress& progress)
   {
@@ -112,12 +113,12 @@ private:
         continue;
       Index h = m_mesh.halfedge_of_face(f);
       for (int corner = 0; corner < 3; ++corner, h = m_mesh.next(h)) {
-        const Index g = m_mesh.face(m_mesh.opposite(h));
-        const double via_f = distance + m_dual_length[m_mesh.edge(h)];
+        const Index g = m_mesh.face(opposite(h));
+        const double via_f = distance + m_dual_length[edge_of(h)];
         if (via_f < m_distance[g]) {
           m_distance[g] = via_f;
           m_depth[g] = m_depth[f] + 1;
-          m_entry[g] = m_mesh.opposite(h);
+          m_entry[g] = opposite(h);
           queue.emplace(via_f, g);
         }
       }
@@ -131,21 +132,21 @@ private:
     m_core.clear();
     for_each_edge(faces, [this](const Index h) {
       if (!in_dual_tree(h))
-        m_core.push_back(m_mesh.edge(h));
+        m_core.push_back(edge_of(h));
     });
     std::vector<Index> leaves;
     for (const Index e : m_core) {
-      for (const Index h : {2 * e, 2 * e + 1}) {
+      for (const Index h : halfedges_of_edge(e)) {
         ++m_degree[m_mesh.target(h)];
         m_incident_edges[m_mesh.target(h)] ^= e; // with one edge left, this is the edge
       }
     }
     for (const Index e : m_core)
-      for (const Index h : {2 * e, 2 * e + 1})
+      for (const Index h : halfedges_of_edge(e))
         if (m_degree[m_mesh.target(h)] == 1)
           strip_leaves(m_mesh.target(h));
     const auto is_stripped = [this](const Index e) {
-      return m_degree[m_mesh.target(2 * e)] == 0 || m_degree[m_mesh.target(2 * e + 1)] == 0;
+      return m_degree[m_mesh.target(halfedge_of_edge(e))] == 0 || m_degree[m_mesh.source(halfedge_of_edge(e))] == 0;
     };
     m_core.erase(std::remove_if(m_core.begin(), m_core.end(), is_stripped), m_core.end());
     reset_vertices(faces);
@@ -155,7 +156,7 @@ private:
   {
     while (m_degree[v] == 1) {
       const Index e = m_incident_edges[v];
-      const Index w = m_mesh.target(2 * e) == v ? m_mesh.target(2 * e + 1) : m_mesh.target(2 * e);
+      const Index h = halfedge_of_edge(e), w = m_mesh.target(h) == v ? m_mesh.source(h) : m_mesh.target(h);
       m_degree[v] = 0;
       --m_degree[w];
       m_incident_edges[w] ^= e;
@@ -178,13 +179,13 @@ private:
   {
     std::sort(m_loop_length.begin(), m_loop_length.end());
     for (const Index e : m_core)
-      for (const Index h : {2 * e, 2 * e + 1})
+      for (const Index h : halfedges_of_edge(e))
         m_representative[m_mesh.target(h)] = m_mesh.target(h);
     m_generators.clear();
     double total = 0;
     for (auto entry = m_loop_length.rbegin(); entry != m_loop_length.rend(); ++entry) {
-      const Index v = representative(m_mesh.target(2 * entry->second));
-      const Index w = representative(m_mesh.target(2 * entry->second + 1));
+      const Index v = representative(m_mesh.target(halfedge_of_edge(entry->second)));
+      const Index w = representative(m_mesh.source(halfedge_of_edge(entry->second)));
       if (v == w) {
         m_generators.push_back(entry->second);
         total += entry->first;
@@ -214,7 +215,7 @@ private:
 
   double loop_length(const Index e) const
   {
-    const Index f = m_mesh.face(2 * e), g = m_mesh.face(2 * e + 1);
+    const Index h = halfedge_of_edge(e), f = m_mesh.face(h), g = m_mesh.face(opposite(h));
     return m_distance[f] + m_distance[g] - 2 * m_distance[lowest_common_ancestor(f, g)] + m_dual_length[e];
   }
 
@@ -224,7 +225,7 @@ private:
     for (const Index f : faces) {
       Index h = m_mesh.halfedge_of_face(f);
       for (int corner = 0; corner < 3; ++corner, h = m_mesh.next(h))
-        if (h < m_mesh.opposite(h))
+        if (h < opposite(h))
           function(h);
     }
   }

@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Isoline_search.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <algorithm>
 #include <array>
@@ -57,7 +58,7 @@ public:
       if (!sectors.is_on_border[i] || entry[sectors.vertices[i]] == -1)
         continue;
       m_loops.emplace_back();
-      for (Index h = first_halfedge(i); entry[mesh.source(h)] != -1; h = mesh.next(h ^ 1) ^ 1) {
+      for (Index h = first_halfedge(i); entry[mesh.source(h)] != -1; h = opposite(mesh.next(opposite(h)))) {
         m_loops.back().push_back(entry[mesh.source(h)]);
         entry[mesh.source(h)] = -1;
       }
@@ -114,7 +115,7 @@ public:
         side.axis = axis(first_halfedge(loop[k]));
         for (; quarter_turns[loop[k]] == 2; k = (k + 1) % loop.size())
           for (int j = 1; j < m_sectors.number_of_sectors(loop[k]); ++j)
-            side.crossed.push_back(m_sectors.halfedge[m_sectors.first_sector[loop[k]] + j] ^ 1);
+            side.crossed.push_back(opposite(m_sectors.halfedge[m_sectors.first_sector[loop[k]] + j]));
         side.end = m_mesh.previous(first_halfedge(loop[k]));
         result.push_back(std::move(side));
       }
@@ -173,7 +174,7 @@ private:
   Line<FT> carried(const Transition_of& transition, const int i, Line<FT> line, const int to) const
   {
     for (int k = 1; k <= to; ++k)
-      line = line.mapped(transition(m_sectors.halfedge[m_sectors.first_sector[i] + k] ^ 1));
+      line = line.mapped(transition(opposite(m_sectors.halfedge[m_sectors.first_sector[i] + k])));
     return line;
   }
   template <typename FT, typename Transition_of>

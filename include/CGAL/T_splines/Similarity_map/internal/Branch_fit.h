@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Plane_vector.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <algorithm>
 #include <array>
@@ -99,9 +100,9 @@ private:
   static Number number(const std::array<double, 2>& p) { return {p[0], p[1]}; }
   Number corner(const Index h) const { return number((*m_uv)[h]); }
   Number edge_here(const Index h) const { return corner(h) - corner(m_mesh->previous(h)); }
-  Number edge_there(const Index h) const { return corner(m_mesh->previous(h ^ 1)) - corner(h ^ 1); }
+  Number edge_there(const Index h) const { return corner(m_mesh->previous(opposite(h))) - corner(opposite(h)); }
   Number here_at_source(const int i) const { return corner(m_mesh->previous(m_graph->halfedge(m_branch, i))); }
-  Number there_at_source(const int i) const { return corner(m_graph->halfedge(m_branch, i) ^ 1); }
+  Number there_at_source(const int i) const { return corner(opposite(m_graph->halfedge(m_branch, i))); }
 
   // The two ends of each edge, on both sides.
   template <typename Visit>
@@ -110,7 +111,7 @@ private:
     for (int i = 0; i < m_graph->length(m_branch); ++i) {
       const Index h = m_graph->halfedge(m_branch, i);
       visit(here_at_source(i), there_at_source(i), h);
-      visit(corner(h), corner(m_mesh->previous(h ^ 1)), h);
+      visit(corner(h), corner(m_mesh->previous(opposite(h))), h);
     }
   }
 

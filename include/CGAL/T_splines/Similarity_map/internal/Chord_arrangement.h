@@ -4,6 +4,8 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_CHORD_ARRANGEMENT_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_CHORD_ARRANGEMENT_H
 
+#include <CGAL/T_splines/internal/halfedge_indices.h>
+
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -96,8 +98,8 @@ public:
   }
 
   /// The two half-edges of an edge.
-  static int twin(const int h) { return h ^ 1; }
-  bool is_outer(const int h) const { return is_boundary(h) && (h & 1); }
+  static int twin(const int h) { return opposite(h); }
+  bool is_outer(const int h) const { return is_boundary(h) && !is_along_edge(h); }
 
 private:
   struct Half_edge {

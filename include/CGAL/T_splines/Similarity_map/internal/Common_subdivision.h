@@ -12,6 +12,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Subdivision_nodes.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/assertions.h>
 
@@ -100,8 +101,8 @@ private:
   // Slot of the point with the given rank on its edge, on the side h of that edge.
   int slot(const int h, const int rank) const
   {
-    const int count = m_nodes.number_on_edge(h >> 1);
-    return (h & 1) ? count - rank : rank + 1;
+    const int count = m_nodes.number_on_edge(edge_of(h));
+    return is_along_edge(h) ? rank + 1 : count - rank;
   }
 
   void collect_chords()
@@ -112,7 +113,7 @@ private:
       for (std::size_t i = 0; i < curve.exits.size(); ++i) {
         const int exit = curve.exits[i], rank = m_nodes.rank_of_input(curve.points[i]);
         first.push_back({m_middle.face(exit), {from, from_slot, exit, slot(exit, rank), curve.input_halfedge}});
-        from = exit ^ 1;
+        from = opposite(exit);
         from_slot = slot(from, rank);
       }
       first.push_back(
@@ -132,16 +133,16 @@ private:
       const int number = m_on_final.point_on_final(i), middle_edge = m_on_final.middle_edge(number),
                 rank = m_nodes.rank_of_final(number);
       // Followed from the source of 2e, the final edge enters the face of this middle halfedge:
-      const int entered = 2 * middle_edge + (m_on_final.point(number).final_halfedge & 1);
-      const int exit = entered ^ 1;
+      const int entered = halfedges_of_edge(middle_edge)[side_of_edge(m_on_final.point(number).final_halfedge)];
+      const int exit = opposite(entered);
       if (i == begin)
         from = m_middle.previous(exit); // the corner opposite to the side by which the first triangle is left
-      chords.push_back({m_middle.face(exit), {from, from_slot, exit, slot(exit, rank), 2 * e}});
+      chords.push_back({m_middle.face(exit), {from, from_slot, exit, slot(exit, rank), halfedge_of_edge(e)}});
       from = entered;
       from_slot = slot(entered, rank);
     }
     if (begin != end)
-      chords.push_back({m_middle.face(from), {from, from_slot, m_middle.previous(from), 0, 2 * e}});
+      chords.push_back({m_middle.face(from), {from, from_slot, m_middle.previous(from), 0, halfedge_of_edge(e)}});
   }
 
   void sort_by_face(const std::vector<std::pair<int, Triangle_chord>>& chords, std::vector<int>& begin,
@@ -165,11 +166,11 @@ private:
     m_boundary.clear();
     m_boundary_halfedge.clear();
     for (int k = 0; k < 3; ++k, h = m_middle.next(h)) {
-      const int e = h >> 1, count = m_nodes.number_on_edge(e);
+      const int e = edge_of(h), count = m_nodes.number_on_edge(e);
       m_side[k] = {h, static_cast<int>(m_boundary.size())};
       m_boundary.push_back(m_middle.source(h));
       for (int i = 0; i < count; ++i)
-        m_boundary.push_back(m_nodes.node_on_edge(e, (h & 1) ? count - 1 - i : i));
+        m_boundary.push_back(m_nodes.node_on_edge(e, is_along_edge(h) ? i : count - 1 - i));
       m_boundary_halfedge.resize(m_boundary.size(), h);
     }
   }
@@ -234,7 +235,7 @@ private:
     FT t(0);
     if (position != m_side[k].second) {
       t = m_nodes.t(m_boundary[position]);
-      if (h & 1)
+      if (!is_along_edge(h))
         t = 1 - t;
     }
     switch (k) {
@@ -327,14 +328,14 @@ private:
     if (m_arrangement.is_boundary(side))
       return m_on_input.input_halfedge(m_boundary_halfedge[m_arrangement.node(side)]);
     const int curve = m_arrangement.first_curve(side);
-    return curve == none || m_arrangement.is_along_first(side) ? curve : curve ^ 1;
+    return curve == none || m_arrangement.is_along_first(side) ? curve : opposite(curve);
   }
   int final_halfedge(const int side) const
   {
     if (m_arrangement.is_boundary(side))
       return m_on_final.final_halfedge(m_boundary_halfedge[m_arrangement.node(side)]);
     const int curve = m_arrangement.second_curve(side);
-    return curve == none || m_arrangement.is_along_second(side) ? curve : curve ^ 1;
+    return curve == none || m_arrangement.is_along_second(side) ? curve : opposite(curve);
   }
 
   int global_node(const int node) const

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_CUT_GRAPH_H
 
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <array>
 #include <vector>
@@ -31,8 +32,8 @@ struct Cut_sectors {
     for (Index h = 0; h < mesh.number_of_halfedges(); ++h) {
       if (mesh.face(h) == mesh.null)
         continue;
-      const bool is_border = mesh.face(h ^ 1) == mesh.null;
-      if (is_border || (is_cut[h >> 1] && start[mesh.source(h)] == mesh.null))
+      const bool is_border = mesh.face(opposite(h)) == mesh.null;
+      if (is_border || (is_cut[edge_of(h)] && start[mesh.source(h)] == mesh.null))
         start[mesh.source(h)] = h;
     }
     for (Index v = 0; v < mesh.number_of_vertices(); ++v)
@@ -56,18 +57,18 @@ struct Cut_sectors {
     do {
       const Index corner = mesh.previous(h);
       visit(corner);
-      h = corner ^ 1;
-    } while (mesh.face(h) != mesh.null && !is_cut[h >> 1]);
+      h = opposite(corner);
+    } while (mesh.face(h) != mesh.null && !is_cut[edge_of(h)]);
   }
 
 private:
   void add_vertex(const Triangulation_connectivity& mesh, const std::vector<char>& is_cut, const Index v,
                   const Index start)
   {
-    const bool starts_on_border = mesh.face(start ^ 1) == mesh.null;
+    const bool starts_on_border = mesh.face(opposite(start)) == mesh.null;
     Index h = start;
     do {
-      if (h == start || is_cut[h >> 1])
+      if (h == start || is_cut[edge_of(h)])
         halfedge.push_back(h);
       h = mesh.next_around_source(h);
     } while (h != start && mesh.face(h) != mesh.null);
@@ -109,7 +110,7 @@ public:
         follow_all(mesh, sectors, node, place, i);
     // What is left are closed branches: each gets a node.
     for (int i = 0; i < sectors.number_of_vertices(); ++i)
-      if (!node[i] && m_branch[sectors.halfedge[sectors.first_sector[i]] >> 1] == none) {
+      if (!node[i] && m_branch[edge_of(sectors.halfedge[sectors.first_sector[i]])] == none) {
         node[i] = 1;
         follow_all(mesh, sectors, node, place, i);
       }
@@ -137,7 +138,7 @@ public:
 
   int branch_of_edge(const Index edge) const { return m_branch[edge]; }
   /// Whether the branch of a cut edge runs along `h`.
-  bool is_along(const Index h) const { return (m_is_along[h >> 1] != 0) == ((h & 1) == 0); }
+  bool is_along(const Index h) const { return (m_is_along[edge_of(h)] != 0) == is_along_edge(h); }
 
 private:
   void follow_all(const Triangulation_connectivity& mesh, const Cut_sectors& sectors, const std::vector<char>& is_node,
@@ -145,8 +146,8 @@ private:
   {
     for (int k = sectors.first_sector[i]; k < sectors.first_sector[i + 1]; ++k) {
       const Index h = sectors.halfedge[k];
-      const bool is_border = mesh.face(h ^ 1) == mesh.null;
-      if (!is_border && m_branch[h >> 1] == none)
+      const bool is_border = mesh.face(opposite(h)) == mesh.null;
+      if (!is_border && m_branch[edge_of(h)] == none)
         follow(mesh, sectors, is_node, place, h);
     }
   }
@@ -157,13 +158,13 @@ private:
     const int branch = number_of_branches();
     while (true) {
       m_path.push_back(h);
-      m_branch[h >> 1] = branch;
-      m_is_along[h >> 1] = (h & 1) == 0;
+      m_branch[edge_of(h)] = branch;
+      m_is_along[edge_of(h)] = is_along_edge(h);
       const int i = place[mesh.target(h)];
       if (is_node[i])
         break;
       const int k = sectors.first_sector[i];
-      h = sectors.halfedge[k] == (h ^ 1) ? sectors.halfedge[k + 1] : sectors.halfedge[k];
+      h = sectors.halfedge[k] == opposite(h) ? sectors.halfedge[k + 1] : sectors.halfedge[k];
     }
     m_branch_begin.push_back(static_cast<int>(m_path.size()));
   }
@@ -177,8 +178,8 @@ private:
       node_of_place[i] = number_of_nodes() - 1;
       for (int k = sectors.first_sector[i]; k < sectors.first_sector[i + 1]; ++k) {
         const Index h = sectors.halfedge[k];
-        if (m_branch[h >> 1] != none)
-          m_ends.push_back({m_branch[h >> 1], is_along(h)});
+        if (m_branch[edge_of(h)] != none)
+          m_ends.push_back({m_branch[edge_of(h)], is_along(h)});
       }
     };
     for (const std::vector<int>& loop : border_loops) {

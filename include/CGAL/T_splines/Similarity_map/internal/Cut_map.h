@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <algorithm>
 #include <vector>
@@ -50,8 +51,8 @@ struct Cut_map {
   int sector_of_corner(const int i, const Index corner) const
   {
     Index h = mesh.next(corner); // clockwise to the first halfedge of the sector
-    while (!is_cut[h >> 1] && mesh.face(h ^ 1) != mesh.null)
-      h = mesh.next(h ^ 1);
+    while (!is_cut[edge_of(h)] && mesh.face(opposite(h)) != mesh.null)
+      h = mesh.next(opposite(h));
     const auto first = sectors.halfedge.begin() + sectors.first_sector[i];
     return static_cast<int>(std::find(first, first + sectors.number_of_sectors(i), h) - first);
   }

@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Dual_loops.h>
 #include <CGAL/T_splines/Similarity_map/internal/Flat_layout.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <cmath>
 #include <vector>
@@ -38,7 +39,7 @@ public:
     // An inner vertex of a branch knows the halfedge of its other cut edge by that of the first.
     std::vector<std::vector<Index>> cut_halfedges(mesh.number_of_vertices());
     for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
-      if (layout.is_cut(h >> 1))
+      if (layout.is_cut(edge_of(h)))
         cut_halfedges[mesh.source(h)].push_back(h);
     const auto is_inner = [&](const Index v) { return cut_halfedges[v].size() == 2 && quarter_turns[v] % 4 == 0; };
     const auto follow = [&](Index h) {
@@ -49,7 +50,7 @@ public:
         const Index v = mesh.target(h);
         if (!is_inner(v))
           break;
-        h = cut_halfedges[v][cut_halfedges[v][0] == (h ^ 1) ? 1 : 0];
+        h = cut_halfedges[v][cut_halfedges[v][0] == opposite(h) ? 1 : 0];
         if (h == first)
           break;
       }
@@ -57,7 +58,7 @@ public:
     };
     for (const bool closed : {false, true})
       for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
-        if (layout.is_cut(h >> 1) && m_branch[h >> 1] == -1 && (closed || !is_inner(mesh.source(h))))
+        if (layout.is_cut(edge_of(h)) && m_branch[edge_of(h)] == -1 && (closed || !is_inner(mesh.source(h))))
           follow(h);
   }
 
@@ -69,10 +70,10 @@ public:
   /// The transition from the chart of the face of `h` to that of its opposite; the identity if the edge is not cut.
   Similarity_2<FT> transition(const Index h) const
   {
-    const int branch = m_branch[h >> 1];
+    const int branch = m_branch[edge_of(h)];
     if (branch == -1)
       return Similarity_2<FT>();
-    const bool is_along = (m_is_along[h >> 1] != 0) == ((h & 1) == 0);
+    const bool is_along = (m_is_along[edge_of(h)] != 0) == is_along_edge(h);
     return is_along ? m_transitions[branch] : m_transitions[branch].inverse();
   }
 
@@ -92,12 +93,12 @@ private:
     const FT scale = has_scale ? FT(exp(log_scale)) : FT(1);
     Plane_vector<FT> translation{};
     for (const Index h : path) {
-      const Index g = Triangulation_connectivity::opposite(h);
+      const Index g = opposite(h);
       const Plane_vector<FT> at_source = m_layout.position(g) - m_layout.position(m_mesh.previous(h)).turned(r) * scale;
       const Plane_vector<FT> at_target = m_layout.position(m_mesh.previous(g)) - m_layout.position(h).turned(r) * scale;
       translation = translation + (at_source + at_target) * FT(FT(1) / (2 * static_cast<int>(path.size())));
-      m_branch[h >> 1] = number_of_branches();
-      m_is_along[h >> 1] = (h & 1) ? 0 : 1;
+      m_branch[edge_of(h)] = number_of_branches();
+      m_is_along[edge_of(h)] = is_along_edge(h) ? 1 : 0;
     }
     m_transitions.emplace_back(r, scale, translation.u, translation.v);
   }

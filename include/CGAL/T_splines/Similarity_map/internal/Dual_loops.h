@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_DUAL_LOOPS_H
 
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/assertions.h>
 
@@ -57,7 +58,7 @@ public:
   void for_each_passage(const Index edge, Visitor&& visit) const
   {
     for (int i = m_first_on_edge[edge]; i != null; i = m_passages[i].next_on_edge)
-      visit(m_passages[i].loop, (m_passages[i].halfedge & 1) ? -1 : 1);
+      visit(m_passages[i].loop, is_along_edge(m_passages[i].halfedge) ? 1 : -1);
   }
 
   /// calls `visit(h, turns_left)` for each triangle of a loop: `h` is the halfedge by which it is entered, and the
@@ -70,7 +71,7 @@ public:
     do {
       const Index h = m_passages[i].halfedge;
       i = m_passages[i].next;
-      const Index exit = Triangulation_connectivity::opposite(m_passages[i].halfedge);
+      const Index exit = opposite(m_passages[i].halfedge);
       CGAL_assertion(exit == mesh.next(h) || exit == mesh.previous(h));
       visit(h, exit == mesh.previous(h));
     } while (i != first);
@@ -90,20 +91,20 @@ public:
   /// flips the edge of `h` in `mesh` and reroutes the loops through its two triangles.
   void flip(Triangulation_connectivity& mesh, const Index h)
   {
-    const Index g = Triangulation_connectivity::opposite(h);
+    const Index g = opposite(h);
     const std::array<Index, 4> sides = {mesh.next(h), mesh.previous(h), mesh.next(g), mesh.previous(g)};
     m_entries.clear();
     for (const Index side : sides)
-      for (int i = m_first_on_edge[side >> 1]; i != null; i = m_passages[i].next_on_edge)
+      for (int i = m_first_on_edge[edge_of(side)]; i != null; i = m_passages[i].next_on_edge)
         if (m_passages[i].halfedge == side)
           m_entries.push_back(i);
-    int& on_edge = m_first_on_edge[h >> 1];
+    int& on_edge = m_first_on_edge[edge_of(h)];
     while (on_edge != null)
       erase(on_edge);
     mesh.flip(h);
     for (const int entry : m_entries) {
       const Index entered = m_passages[entry].halfedge;
-      const Index exit = Triangulation_connectivity::opposite(m_passages[m_passages[entry].next].halfedge);
+      const Index exit = opposite(m_passages[m_passages[entry].next].halfedge);
       if (mesh.face(entered) != mesh.face(exit))
         insert(mesh.face(exit) == mesh.face(h) ? h : g, m_passages[entry].loop, entry);
     }
@@ -135,7 +136,7 @@ private:
       m_passages[p.next].previous = i;
       m_passages[previous].next = i;
     }
-    int& first = m_first_on_edge[h >> 1];
+    int& first = m_first_on_edge[edge_of(h)];
     p.previous_on_edge = null;
     p.next_on_edge = first;
     if (first != null)
@@ -153,7 +154,7 @@ private:
     if (m_first[p.loop] == i)
       m_first[p.loop] = p.next;
     if (p.previous_on_edge == null)
-      m_first_on_edge[p.halfedge >> 1] = p.next_on_edge;
+      m_first_on_edge[edge_of(p.halfedge)] = p.next_on_edge;
     else
       m_passages[p.previous_on_edge].next_on_edge = p.next_on_edge;
     if (p.next_on_edge != null)

@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Normal_coordinates.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/assertions.h>
 
@@ -114,16 +115,16 @@ private:
         middle,
         [&](const int v, const int k, const Normal_coordinates::Curve& traced) {
           const int h = input_halfedge(v, k);
-          if (h & 1)
+          if (!is_along_edge(h))
             return;
           Curve curve{h, traced.first_corner, traced.last_corner, {}, {}};
           for (const Normal_coordinates::Crossing& crossing : traced.crossings) {
-            const int exit = crossing.halfedge, e = exit >> 1;
+            const int exit = crossing.halfedge, e = edge_of(exit);
             const int from_source = static_cast<int>(crossing.position);
-            const int i = (exit & 1) ? m_begin[e + 1] - 1 - from_source : m_begin[e] + from_source;
+            const int i = is_along_edge(exit) ? m_begin[e] + from_source : m_begin[e + 1] - 1 - from_source;
             // The curve leaves by `exit` to its right: `exit` crosses the curve from its right to its left, into the
             // face of h.
-            m_points[i].input_halfedge = (exit & 1) ? h + 1 : h;
+            m_points[i].input_halfedge = is_along_edge(exit) ? h : opposite(h);
             curve.exits.push_back(exit);
             curve.points.push_back(i);
           }
@@ -138,7 +139,8 @@ private:
     using Vector = Plane_vector<FT>;
     const int begin = m_begin[e], end = m_begin[e + 1];
     const auto apex = [&](const int h, const Vector& source, const Vector& target) {
-      const FT c = length[h >> 1], a = length[input.next(h) >> 1] / c, b = length[input.previous(h) >> 1] / c;
+      const FT c = length[edge_of(h)], a = length[edge_of(input.next(h))] / c,
+               b = length[edge_of(input.previous(h))] / c;
       const FT along = (1 + (a - b) * (a + b)) / 2;
       const FT product = ((1 + (a + b)) * (1 + (a - b))) * ((a + b) - 1) * (1 - (a - b));
       using std::sqrt;
@@ -148,8 +150,8 @@ private:
     };
     std::vector<Vector> sources, targets;
     int h = m_points[begin].input_halfedge;
-    Vector source{}, target{length[h >> 1], FT(0)};
-    const Vector a = apex(h ^ 1, target, source);
+    Vector source{}, target{length[edge_of(h)], FT(0)};
+    const Vector a = apex(opposite(h), target, source);
     Vector b;
     for (int i = begin; i < end; ++i) {
       sources.push_back(source);
@@ -157,13 +159,13 @@ private:
       b = apex(h, source, target);
       if (i + 1 == end)
         break;
-      const int following = m_points[i + 1].input_halfedge ^ 1; // a side of the face of h
+      const int following = opposite(m_points[i + 1].input_halfedge); // a side of the face of h
       CGAL_assertion(following == input.next(h) || following == input.previous(h));
       if (following == input.next(h)) // from the target of h to the apex
         source = b;
       else
         target = b;
-      h = following ^ 1;
+      h = opposite(following);
     }
     const Vector ab = b - a;
     for (int i = begin; i < end; ++i) {
@@ -230,7 +232,7 @@ public:
         [&](const int v, const int k, const Normal_coordinates::Curve& curve) {
           const int h = middle_halfedge(v, k);
           m_corner[h] = curve.first_corner;
-          number_of_points[h >> 1] = static_cast<int>(curve.crossings.size());
+          number_of_points[edge_of(h)] = static_cast<int>(curve.crossings.size());
         },
         shared);
     for (int e = 0; e < middle.number_of_edges(); ++e)
@@ -239,8 +241,8 @@ public:
         last,
         [&](const int v, const int k, const Normal_coordinates::Curve& curve) {
           const int h = middle_halfedge(v, k);
-          if (!(h & 1) && progress.go_on_after(20 * curve.crossings.size()))
-            locate(last, log_length, h >> 1, curve);
+          if (is_along_edge(h) && progress.go_on_after(20 * curve.crossings.size()))
+            locate(last, log_length, edge_of(h), curve);
         },
         [](int, int, int) {});
   }
@@ -276,17 +278,17 @@ private:
   {
     log_source.resize(exits.size());
     log_target.resize(exits.size());
-    FT to_source = lambda[last.previous(exits[0]) >> 1], to_target = lambda[last.next(exits[0]) >> 1];
+    FT to_source = lambda[edge_of(last.previous(exits[0]))], to_target = lambda[edge_of(last.next(exits[0]))];
     for (std::size_t i = 0;; ++i) {
       log_source[i] = to_source;
       log_target[i] = to_target;
       if (i + 1 == exits.size())
         return;
-      const int entry = exits[i] ^ 1;
+      const int entry = opposite(exits[i]);
       // from the source of `exits[i]` to the apex: next(entry); from there to its target: previous(entry)
-      const FT to_apex =
-          log_of_sum(FT(lambda[last.previous(entry) >> 1] + to_source), FT(lambda[last.next(entry) >> 1] + to_target)) -
-          lambda[entry >> 1];
+      const FT to_apex = log_of_sum(FT(lambda[edge_of(last.previous(entry))] + to_source),
+                                    FT(lambda[edge_of(last.next(entry))] + to_target)) -
+                         lambda[edge_of(entry)];
       if (exits[i + 1] == last.next(entry))
         to_target = to_apex;
       else
@@ -304,14 +306,14 @@ private:
     for (const Normal_coordinates::Crossing& crossing : curve.crossings)
       m_exits.push_back(crossing.halfedge);
     for (std::size_t i = n; i-- > 0;)
-      m_reverse_exits.push_back(m_exits[i] ^ 1);
+      m_reverse_exits.push_back(opposite(m_exits[i]));
     lengths_from_end(last, lambda, m_exits, m_a_source, m_a_target);
     lengths_from_end(last, lambda, m_reverse_exits, m_b_target, m_b_source);
     // a to b: over the first edge crossed, to the vertex b behind the last one
     const FT a_b = log_of_sum(FT(m_a_source[0] + m_b_target[n - 1]), FT(m_a_target[0] + m_b_source[n - 1])) -
-                   lambda[m_exits[0] >> 1];
+                   lambda[edge_of(m_exits[0])];
     for (std::size_t i = 0; i < n; ++i) {
-      const int exit = m_exits[i], edge = exit >> 1;
+      const int exit = m_exits[i], edge = edge_of(exit);
       const FT a_c = m_a_source[i], a_d = m_a_target[i], b_c = m_b_source[n - 1 - i], b_d = m_b_target[n - 1 - i];
       const FT weight_a = b_c + b_d, weight_b = a_c + a_d; // logarithms, up to a common summand
       const FT sum = log_of_sum(weight_a, weight_b);
@@ -321,12 +323,12 @@ private:
       Point& point = m_points[number];
       point.t = exp(FT(weight_b - sum));
       point.final_halfedge = exit;
-      point.weight_source = (exit & 1) ? weight_d : weight_c;
-      point.weight_target = (exit & 1) ? weight_c : weight_d;
+      point.weight_source = is_along_edge(exit) ? weight_c : weight_d;
+      point.weight_target = is_along_edge(exit) ? weight_d : weight_c;
       m_middle_edge[number] = e;
       const int from_source = static_cast<int>(curve.crossings[i].position);
-      m_point_on_final[(exit & 1) ? m_begin_on_final[edge + 1] - 1 - from_source
-                                  : m_begin_on_final[edge] + from_source] = number;
+      m_point_on_final[is_along_edge(exit) ? m_begin_on_final[edge] + from_source
+                                           : m_begin_on_final[edge + 1] - 1 - from_source] = number;
     }
     for (int i = m_begin[e] + 1; i < m_begin[e + 1]; ++i)
       m_points[i].t = std::max(m_points[i].t, m_points[i - 1].t);

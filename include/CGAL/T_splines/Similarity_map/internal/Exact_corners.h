@@ -13,6 +13,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/uv_orientation.h>
 #include <CGAL/T_splines/Similarity_map/support/Seamless_layout.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/number_type_basic.h>
@@ -93,7 +94,7 @@ public:
     compute<double>(
         transitions,
         [&](const Index h) -> const Similarity_2<double>& {
-          return (m_map.graph.is_along(h) ? along : against)[m_map.graph.branch_of_edge(h >> 1)];
+          return (m_map.graph.is_along(h) ? along : against)[m_map.graph.branch_of_edge(edge_of(h))];
         },
         [&](const int i, const int k, const std::pair<double, double>& value) {
           m_map.for_each_corner(i, k, [&](const Index h) { m_trial[h] = {{value.first, value.second}}; });
@@ -168,8 +169,8 @@ private:
     for (int k = 0; k < m_map.sectors.number_of_sectors(i); ++k) {
       const Index h = m_map.sectors.halfedge[m_map.sectors.first_sector[i] + k];
       if (k > 0) {
-        const double factor = m_map.fits[m_map.graph.branch_of_edge(h >> 1)].scale();
-        scale *= m_map.graph.is_along(h ^ 1) ? factor : 1 / factor;
+        const double factor = m_map.fits[m_map.graph.branch_of_edge(edge_of(h))].scale();
+        scale *= m_map.graph.is_along(opposite(h)) ? factor : 1 / factor;
       }
       m_map.for_each_corner(i, k, [&](const Index corner) {
         const double height = height_over_opposite_side(corner) / scale;
@@ -223,7 +224,7 @@ private:
       Index h = m_points[i].corner;
       do {
         visit(i, h);
-        h = m_map.mesh.next(h) ^ 1;
+        h = opposite(m_map.mesh.next(h));
       } while (h != m_points[i].corner);
     }
   }

@@ -16,6 +16,7 @@
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/exactness.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <algorithm>
 #include <array>
@@ -309,7 +310,8 @@ private:
         v = root[v] = root[root[v]];
       return v;
     };
-    for (Index h = 0; h < m_mesh.number_of_halfedges(); h += 2) {
+    for (Index e = 0; e < m_mesh.number_of_edges(); ++e) {
+      const Index h = halfedge_of_edge(e);
       const int a = root_of(m_mesh.target(h)), b = root_of(m_mesh.source(h));
       root[std::max(a, b)] = std::min(a, b);
     }
@@ -355,7 +357,7 @@ private:
       against.push_back(along.back().inverse());
     }
     const auto transition = [&](const Index h) -> const Similarity_2<double>& {
-      return (map.graph.is_along(h) ? along : against)[map.graph.branch_of_edge(h >> 1)];
+      return (map.graph.is_along(h) ? along : against)[map.graph.branch_of_edge(edge_of(h))];
     };
     using Search = Isoline_search<decltype(transition)>;
     std::vector<typename Search::Cone> cones;

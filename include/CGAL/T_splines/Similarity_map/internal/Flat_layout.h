@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <array>
 #include <cmath>
@@ -69,7 +70,7 @@ public:
   /// positions.
   int quarter_turns(const Index h) const
   {
-    const Index g = Triangulation_connectivity::opposite(h);
+    const Index g = opposite(h);
     const Vector here = m_position[h] - m_position[m_mesh.previous(h)];
     const Vector there = m_position[m_mesh.previous(g)] - m_position[g];
     const FT cosine = here.dot(there), sine = here.cross(there);
@@ -84,7 +85,7 @@ public:
   {
     // phi at the source of h, continued to the root on both sides.
     std::vector<int> exponents(loops.number_of_loops(), 0);
-    const Index g = Triangulation_connectivity::opposite(h);
+    const Index g = opposite(h);
     const Index root_here = walk_to_root(loops, h, 1, exponents);
     const Index root_there = walk_to_root(loops, m_mesh.next(g), -1, exponents);
     // The two walks end at corners of the root face; what is left is the way between these.
@@ -113,12 +114,12 @@ private:
           return;
         Index h = m_mesh.halfedge_of_face(faces[i]);
         for (int k = 0; k < 3; ++k, h = m_mesh.next(h)) {
-          const Index g = Triangulation_connectivity::opposite(h), f = m_mesh.face(g);
+          const Index g = opposite(h), f = m_mesh.face(g);
           if (m_order[f] != -1)
             continue;
           m_order[f] = order++;
           m_entry[f] = g;
-          m_is_cut[h >> 1] = 0;
+          m_is_cut[edge_of(h)] = 0;
           m_position[g] = m_position[m_mesh.previous(h)];
           m_position[m_mesh.previous(g)] = m_position[h];
           place_apex(structure, g);
@@ -136,7 +137,7 @@ private:
     const Index h = m_mesh.halfedge_of_face(f);
     const FT log_scale = FT(coefficients[m_mesh.source(h)]) + FT(structure.form_of(h)) / 2;
     m_position[m_mesh.previous(h)] = Vector{};
-    m_position[h] = Vector{exp(FT(FT(structure.log_length[h >> 1]) + log_scale)), FT(0)};
+    m_position[h] = Vector{exp(FT(FT(structure.log_length[edge_of(h)]) + log_scale)), FT(0)};
     place_apex(structure, h);
   }
 
@@ -148,9 +149,9 @@ private:
     using std::sqrt;
     const Index j = m_mesh.next(h), k = m_mesh.next(j);
     const FT xi_h(structure.form_of(h)), xi_j(structure.form_of(j)), xi_k(structure.form_of(k));
-    const FT log_h = FT(structure.log_length[h >> 1]) + (xi_k - xi_j) / 6;
-    const FT log_j = FT(structure.log_length[j >> 1]) + (xi_h - xi_k) / 6;
-    const FT log_k = FT(structure.log_length[k >> 1]) + (xi_j - xi_h) / 6;
+    const FT log_h = FT(structure.log_length[edge_of(h)]) + (xi_k - xi_j) / 6;
+    const FT log_j = FT(structure.log_length[edge_of(j)]) + (xi_h - xi_k) / 6;
+    const FT log_k = FT(structure.log_length[edge_of(k)]) + (xi_j - xi_h) / 6;
     const FT a = exp(FT(log_j - log_h)),
              b = exp(FT(log_k - log_h)); // sides at the target and at the source of h; h is 1
     const FT along = (1 + (a - b) * (a + b)) / 2;
@@ -166,7 +167,7 @@ private:
     std::vector<int> degree(m_mesh.number_of_vertices(), 0), incident(m_mesh.number_of_vertices(), 0);
     for (Index e = 0; e < m_mesh.number_of_edges(); ++e)
       if (m_is_cut[e])
-        for (const Index h : {2 * e, 2 * e + 1}) {
+        for (const Index h : halfedges_of_edge(e)) {
           ++degree[m_mesh.target(h)];
           incident[m_mesh.target(h)] ^= e;
         }
@@ -175,7 +176,8 @@ private:
         const Index e = incident[v];
         m_is_cut[e] = 0;
         degree[v] = 0;
-        v = m_mesh.target(2 * e) == v ? m_mesh.target(2 * e + 1) : m_mesh.target(2 * e);
+        const Index h = halfedge_of_edge(e);
+        v = m_mesh.target(h) == v ? m_mesh.source(h) : m_mesh.target(h);
         --degree[v];
         incident[v] ^= e;
       }
@@ -190,8 +192,8 @@ private:
       if (is_done[start])
         continue;
       Index h = start; // to the clockwise end of the sector of the corner at the target of start
-      while (!m_is_cut[h >> 1]) {
-        h = m_mesh.previous(Triangulation_connectivity::opposite(h));
+      while (!m_is_cut[edge_of(h)]) {
+        h = m_mesh.previous(opposite(h));
         if (h == start)
           break;
       }
@@ -204,9 +206,9 @@ private:
         if (m_order[m_mesh.face(h)] < m_order[m_mesh.face(first)])
           first = h;
         h = m_mesh.next(h);
-        if (m_is_cut[h >> 1])
+        if (m_is_cut[edge_of(h)])
           break;
-        h = Triangulation_connectivity::opposite(h);
+        h = opposite(h);
       } while (h != end);
       const Vector point = m_position[first];
       for (const Index corner : corners)
@@ -216,8 +218,9 @@ private:
 
   void add_passages(const Dual_loops& loops, const Index h, const int factor, std::vector<int>& exponents) const
   {
-    loops.for_each_passage(
-        h >> 1, [&](const int loop, const int sign) { exponents[loop] += factor * ((h & 1) ? -sign : sign); });
+    loops.for_each_passage(edge_of(h), [&](const int loop, const int sign) {
+      exponents[loop] += factor * (is_along_edge(h) ? sign : -sign);
+    });
   }
 
   // Moves the corner at the source of `h`, in the face of h, along edges to a corner of the root face and adds the
@@ -233,8 +236,7 @@ private:
         h = entry;
       }
       // The same vertex in the parent face.
-      h = h == entry ? m_mesh.next(Triangulation_connectivity::opposite(entry))
-                     : Triangulation_connectivity::opposite(entry);
+      h = h == entry ? m_mesh.next(opposite(entry)) : opposite(entry);
     }
   }
 

@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Free_points.h>
 #include <CGAL/T_splines/Similarity_map/internal/Isoline_search.h>
 #include <CGAL/T_splines/Similarity_map/internal/Plane_vector.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <vector>
 
@@ -80,7 +81,7 @@ public:
     Number factor = coincidence.axis == 0 ? Number{FT(1), FT(0)} : Number{FT(0), FT(-1)};
     add_point(coincidence.start, factor, sum);
     for (const Index h : coincidence.crossed) {
-      const int b = m_map.graph.branch_of_edge(h >> 1);
+      const int b = m_map.graph.branch_of_edge(edge_of(h));
       if (m_map.graph.is_along(h)) {
         factor = factor * inverse_linear_part(b);
         sum.add(b, factor);
@@ -103,7 +104,7 @@ private:
   // Replaces a point in the chart of the opposite of h by the point in the chart of h.
   void pull_back(const Index h, Number& factor, Linear_function<FT>& sum) const
   {
-    const int b = m_map.graph.branch_of_edge(h >> 1);
+    const int b = m_map.graph.branch_of_edge(edge_of(h));
     if (m_map.graph.is_along(h)) {
       sum.add(b, factor);
       factor = factor * linear_part(b);
@@ -129,13 +130,13 @@ private:
       Number around{FT(1), FT(0)};
       const Number one = around;
       for (int j = 0; j < n; ++j) {
-        const Index h = sectors.halfedge[first + j] ^ 1;
-        const int r = m_map.fits[m_map.graph.branch_of_edge(h >> 1)].quarter_turns();
+        const Index h = opposite(sectors.halfedge[first + j]);
+        const int r = m_map.fits[m_map.graph.branch_of_edge(edge_of(h))].quarter_turns();
         around = around.turned(m_map.graph.is_along(h) ? r : (4 - r) % 4);
       }
       factor = factor * (one - around).inverse();
       for (int j = 0; j < n; ++j, k = (k + n - 1) % n)
-        pull_back(sectors.halfedge[first + k] ^ 1, factor, sum);
+        pull_back(opposite(sectors.halfedge[first + k]), factor, sum);
       return;
     }
     if (sectors.is_on_border[i])
@@ -143,7 +144,7 @@ private:
         pull_back(sectors.halfedge[first + k + 1], factor, sum);
     else
       for (; k != m_points[p].sector; k = (k + n - 1) % n)
-        pull_back(sectors.halfedge[first + k] ^ 1, factor, sum);
+        pull_back(opposite(sectors.halfedge[first + k]), factor, sum);
     sum.add(m_map.graph.number_of_branches() + p, factor);
   }
 

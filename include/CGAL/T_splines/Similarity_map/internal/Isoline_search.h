@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <algorithm>
 #include <array>
@@ -204,7 +205,7 @@ private:
     const std::pair<double, double> image = transition(is_u ? line.value : 0, is_u ? 0 : line.value);
     line.direction = (line.direction + transition.quarter_turns()) % 4;
     line.value = line.axis() == 0 ? image.first : image.second;
-    line.noise = line.noise * transition.scale() + m_noise * largest_coordinate(m_uv[line.exit ^ 1]);
+    line.noise = line.noise * transition.scale() + m_noise * largest_coordinate(m_uv[opposite(line.exit)]);
   }
 
   bool follow(Line line, const int longest, Isoline_coincidence& found)
@@ -218,10 +219,10 @@ private:
         return true;
     }
     for (int n = 0; n < longest; ++n) {
-      const Index entry = line.exit ^ 1;
+      const Index entry = opposite(line.exit);
       if (m_mesh.face(entry) == Triangulation_connectivity::null)
         return false;
-      if (m_is_cut[entry >> 1])
+      if (m_is_cut[edge_of(entry)])
         cross(line, found);
       const Index apex = m_mesh.next(entry);
       if (arrives(line, apex, found))

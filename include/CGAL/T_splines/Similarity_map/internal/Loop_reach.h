@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Cross_field/support/homology_loops.h>
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 #include <CGAL/T_splines/internal/mesh_components.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ struct Loop_reach {
     std::array<double, 4> m = {1, 0, 0, 1};
     double log_scale = 0;
     for (std::size_t i = 0; i < strip.size(); ++i) {
-      const Index h = strip[i], exit = Triangulation_connectivity::opposite(strip[i + 1 == strip.size() ? 0 : i + 1]);
+      const Index h = strip[i], exit = opposite(strip[i + 1 == strip.size() ? 0 : i + 1]);
       const bool turns_left = exit == mesh.previous(h);
       if (turns_left) {
         period += static_cast<double>(structure.form_of(mesh.next(h)));
@@ -49,9 +50,10 @@ struct Loop_reach {
         m[0] += m[1];
         m[2] += m[3];
       }
-      const Index g = Triangulation_connectivity::opposite(exit);
-      const double shear = static_cast<double>(FT(lambda[mesh.next(exit) >> 1] + lambda[mesh.next(g) >> 1] -
-                                                  lambda[mesh.previous(exit) >> 1] - lambda[mesh.previous(g) >> 1]));
+      const Index g = opposite(exit);
+      const double shear =
+          static_cast<double>(FT(lambda[edge_of(mesh.next(exit))] + lambda[edge_of(mesh.next(g))] -
+                                 lambda[edge_of(mesh.previous(exit))] - lambda[edge_of(mesh.previous(g))]));
       // diag(exp(shear / 2), exp(-shear / 2)) with its larger entry taken out
       const double smaller = std::exp(-std::abs(shear)), first = shear > 0 ? 1. : smaller,
                    second = shear > 0 ? smaller : 1.;

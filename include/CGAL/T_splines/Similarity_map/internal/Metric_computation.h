@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 #include <CGAL/T_splines/internal/mesh_components.h>
 
 #include <array>
@@ -73,7 +74,8 @@ struct Metric_input {
   template <typename FT>
   FT squared_length(const int e) const
   {
-    const std::array<double, 3>&p = point[mesh.target(2 * e)], &q = point[mesh.target(2 * e + 1)];
+    const std::array<double, 3>&p = point[mesh.target(halfedge_of_edge(e))],
+                             &q = point[mesh.source(halfedge_of_edge(e))];
     FT sum(0);
     for (int k = 0; k < 3; ++k) {
       const FT d = FT(p[k]) - FT(q[k]);

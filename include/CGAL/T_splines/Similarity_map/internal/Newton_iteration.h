@@ -13,6 +13,7 @@
 #include <CGAL/T_splines/Solver/support/Interruptible_preconditioner.h>
 #include <CGAL/T_splines/defaults.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <algorithm>
 #include <cmath>
@@ -236,7 +237,7 @@ private:
     if (flips <= most_flips)
       for (const Index h : m_flipped) {
         m_system.measure(m_structure, m_structure.mesh.face(h));
-        m_system.measure(m_structure, m_structure.mesh.face(Triangulation_connectivity::opposite(h)));
+        m_system.measure(m_structure, m_structure.mesh.face(opposite(h)));
       }
     return flips;
   }
@@ -255,7 +256,7 @@ private:
     set_trial(degeneracy.time);
     m_flipped.clear();
     for (const Index h : degeneracy.triangles)
-      if (m_structure.mesh.face(h) != m_structure.mesh.face(h ^ 1) && !flipped_already(h)) {
+      if (m_structure.mesh.face(h) != m_structure.mesh.face(opposite(h)) && !flipped_already(h)) {
         m_structure.flip_euclidean(h);
         ++m_record.flips;
       }
@@ -275,7 +276,7 @@ private:
   // Two degenerate triangles may share their longest edge.
   bool flipped_already(const Index h)
   {
-    const auto is_same_edge = [h](const Index g) { return (g >> 1) == (h >> 1); };
+    const auto is_same_edge = [h](const Index g) { return edge_of(g) == edge_of(h); };
     if (std::find_if(m_flipped.begin(), m_flipped.end(), is_same_edge) != m_flipped.end())
       return true;
     m_flipped.push_back(h);

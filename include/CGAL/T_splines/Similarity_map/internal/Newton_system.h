@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <algorithm>
 #include <array>
@@ -103,8 +104,9 @@ public:
   /// Whether the measured angles tell that an edge is Delaunay, with some margin; `false` may be a false alarm.
   bool is_clearly_delaunay(const Structure& structure, const Index e) const
   {
-    const double first = m_cotangent[2 * e], second = m_cotangent[2 * e + 1];
-    return m_is_triangle[structure.mesh.face(2 * e)] && m_is_triangle[structure.mesh.face(2 * e + 1)] &&
+    const auto [h, g] = halfedges_of_edge(e);
+    const double first = m_cotangent[h], second = m_cotangent[g];
+    return m_is_triangle[structure.mesh.face(h)] && m_is_triangle[structure.mesh.face(g)] &&
            first + second > 1e-10 * (1 + std::abs(first));
   }
 
@@ -188,12 +190,12 @@ public:
     m_terms.clear();
     m_loop_terms.clear();
     for (Index e = 0; e < mesh.number_of_edges(); ++e) {
+      const auto [h, g] = halfedges_of_edge(e);
       // Not negative on a Delaunay triangulation; on others, negative weights belong to the Hessian, which is
       // semidefinite all the same.
-      const double cotangents = (m_cotangent[2 * e] + m_cotangent[2 * e + 1]) / 2;
+      const double cotangents = (m_cotangent[h] + m_cotangent[g]) / 2;
       const double weight = std::abs(cotangents) < least_weight ? least_weight : cotangents;
-      Edge_term term{weight, m_row[mesh.target(2 * e + 1)], m_row[mesh.target(2 * e)],
-                     static_cast<int>(m_loop_terms.size()), 0};
+      Edge_term term{weight, m_row[mesh.source(h)], m_row[mesh.target(h)], static_cast<int>(m_loop_terms.size()), 0};
       if (structure.loops.has_passages(e))
         add_loop_terms(structure, e);
       term.loops_end = static_cast<int>(m_loop_terms.size());

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_NORMAL_COORDINATES_H
 
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/assertions.h>
 
@@ -92,9 +93,9 @@ public:
     /// \pre `mesh` is flipped now.
     void finish(const Triangulation_connectivity& mesh)
     {
-      m_coordinates.m_count[m_halfedge >> 1] = m_count;
+      m_coordinates.m_count[edge_of(m_halfedge)] = m_count;
       m_coordinates.update_first_reference(mesh, m_halfedge);
-      m_coordinates.update_first_reference(mesh, Triangulation_connectivity::opposite(m_halfedge));
+      m_coordinates.update_first_reference(mesh, opposite(m_halfedge));
     }
 
   private:
@@ -119,18 +120,18 @@ public:
     Curve curve;
     for (Index h = 0; h < mesh.number_of_halfedges(); ++h) {
       const Index v = mesh.source(h);
-      if (is_shared(h >> 1))
+      if (is_shared(edge_of(h)))
         visit_shared(v, m_first_reference[h], h);
       const Count starts = number_of_starts(mesh, h);
       for (Count i = 0; i < starts; ++i) {
         trace(mesh, h, i, curve);
-        visit(v, static_cast<int>((m_first_reference[h] + (is_shared(h >> 1) ? 1 : 0) + i) % m_degree[v]), curve);
+        visit(v, static_cast<int>((m_first_reference[h] + (is_shared(edge_of(h)) ? 1 : 0) + i) % m_degree[v]), curve);
       }
     }
   }
 
 private:
-  Count crossings(const Index h) const { return std::max<Count>(m_count[h >> 1], 0); }
+  Count crossings(const Index h) const { return std::max<Count>(m_count[edge_of(h)], 0); }
 
   // Number of arcs that cut off the corner at the source of `h` in the triangle of `h`.
   Count number_of_corner_arcs(const Triangulation_connectivity& mesh, const Index h) const
@@ -145,7 +146,7 @@ private:
   // if it runs from the side of i to the side of j; those that cross i-j are told apart by their positions on it.
   Count count_after_flip(const Triangulation_connectivity& mesh, const Index h) const
   {
-    const Index g = Triangulation_connectivity::opposite(h);
+    const Index g = opposite(h);
     const Index jk = mesh.next(h), ki = mesh.previous(h), il = mesh.next(g), lj = mesh.previous(g);
     const Count around_i_above = number_of_corner_arcs(mesh, h), to_k = number_of_starts(mesh, ki);
     const Count around_i_below = number_of_corner_arcs(mesh, il), to_l = number_of_starts(mesh, lj);
@@ -157,14 +158,14 @@ private:
            + number_of_starts(mesh, h) + number_of_starts(mesh, il)          // from i
            + number_of_starts(mesh, jk) + number_of_starts(mesh, g)          // from j
            + std::max<Count>(0, around_i_above - around_i_below - to_l) +
-           std::max<Count>(0, around_i_below - around_i_above - to_k) + (is_shared(h >> 1) ? 1 : 0);
+           std::max<Count>(0, around_i_below - around_i_above - to_k) + (is_shared(edge_of(h)) ? 1 : 0);
   }
 
   void update_first_reference(const Triangulation_connectivity& mesh, const Index h)
   {
-    const Index clockwise = mesh.next(Triangulation_connectivity::opposite(h)); // same source
+    const Index clockwise = mesh.next(opposite(h)); // same source
     m_first_reference[h] = static_cast<int>(
-        (m_first_reference[clockwise] + (is_shared(clockwise >> 1) ? 1 : 0) + number_of_starts(mesh, clockwise)) %
+        (m_first_reference[clockwise] + (is_shared(edge_of(clockwise)) ? 1 : 0) + number_of_starts(mesh, clockwise)) %
         m_degree[mesh.source(h)]);
   }
 
@@ -177,7 +178,7 @@ private:
     Count position = number_of_corner_arcs(mesh, exit) + i;
     while (true) {
       curve.crossings.push_back({exit, position});
-      const Index entry = Triangulation_connectivity::opposite(exit);
+      const Index entry = opposite(exit);
       const Count count = crossings(entry);
       position = count - 1 - position; // now from the source of entry
       const Index to_apex = mesh.next(entry), from_apex = mesh.previous(entry);

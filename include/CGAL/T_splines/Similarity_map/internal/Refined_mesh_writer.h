@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Refined_triangulation.h>
 #include <CGAL/T_splines/internal/Face_graph_writer.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -91,9 +92,9 @@ public:
         weight[corner(input.previous(outgoing[place.index]))] = 1;
         break;
       case Input_place::Kind::EDGE:
-        f = input.face(2 * place.index);
-        weight[corner(input.previous(2 * place.index))] = place.weight[0];
-        weight[corner(2 * place.index)] = place.weight[1];
+        f = input.face(halfedge_of_edge(place.index));
+        weight[corner(input.previous(halfedge_of_edge(place.index)))] = place.weight[0];
+        weight[corner(halfedge_of_edge(place.index))] = place.weight[1];
         break;
       case Input_place::Kind::FACE:
         f = place.index;
@@ -112,7 +113,7 @@ public:
   void put_cut(const std::vector<char>& is_cut, EdgeIsCutMap map) const
   {
     for (int e = 0; e < m_refined.mesh.number_of_edges(); ++e)
-      put(map, edge(m_writer.halfedge(2 * e), m_mesh), is_cut[e] != 0);
+      put(map, edge(m_writer.halfedge(halfedge_of_edge(e)), m_mesh), is_cut[e] != 0);
   }
 
 private:

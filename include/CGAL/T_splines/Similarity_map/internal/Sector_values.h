@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Plane_vector.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <utility>
 #include <vector>
@@ -31,7 +32,7 @@ bool compute_sector_values(const Cut_sectors& sectors, const int i, const Transi
                            const std::pair<FT, FT>& start, std::vector<std::pair<FT, FT>>& values)
 {
   const int first = sectors.first_sector[i], n = sectors.number_of_sectors(i);
-  const auto into = [&](const int k) -> decltype(auto) { return transition(sectors.halfedge[first + k] ^ 1); };
+  const auto into = [&](const int k) -> decltype(auto) { return transition(opposite(sectors.halfedge[first + k])); };
   values.resize(n);
   if (sectors.is_on_border[i]) {
     values[kept] = start;

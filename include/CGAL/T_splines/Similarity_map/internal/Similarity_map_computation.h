@@ -14,6 +14,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Sliver_removal.h>
 #include <CGAL/T_splines/Similarity_map/internal/converged_metric.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <cmath>
 #include <cstdint>
@@ -75,8 +76,10 @@ public:
       return;
     m_refined = std::move(subdivision.result());
     m_cut.resize(m_refined.mesh.number_of_edges());
-    for (int e = 0; e < m_refined.mesh.number_of_edges(); ++e)
-      m_cut[e] = m_refined.final_halfedge[2 * e] != none && m_layout.is_cut(m_refined.final_halfedge[2 * e] >> 1);
+    for (int e = 0; e < m_refined.mesh.number_of_edges(); ++e) {
+      const int on_final = m_refined.final_halfedge[halfedge_of_edge(e)];
+      m_cut[e] = on_final != none && m_layout.is_cut(edge_of(on_final));
+    }
     progress.progress(0.8);
     m_first_bad_input_face = Sliver_removal(input.mesh, input.point, m_refined, m_cut, progress).first_bad_input_face();
     progress.progress(1.);
@@ -104,7 +107,7 @@ public:
   /// The transition across the halfedge `h` of the refined triangulation.
   Similarity_2<double> transition(const int h) const
   {
-    if (!m_cut[h >> 1])
+    if (!m_cut[edge_of(h)])
       return Similarity_2<double>();
     const Similarity_2<FT> wide = m_transitions->transition(m_refined.final_halfedge[h]);
     return Similarity_2<double>(wide.quarter_turns(), static_cast<double>(wide.scale()), static_cast<double>(wide.u()),

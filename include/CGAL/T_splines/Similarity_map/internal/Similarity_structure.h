@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Triangle_angles.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <array>
 #include <cmath>
@@ -48,15 +49,15 @@ struct Similarity_structure {
       32 * std::numeric_limits<FT>::epsilon(); ///< relative, of the Delaunay test: the round-off of the lengths
   std::vector<FT> log_penner; ///< Penner's coordinates of the starting metric; empty: `log_length` has them
 
-  FT form_of(const Index h) const { return (h & 1) ? FT(-form[h >> 1]) : form[h >> 1]; }
+  FT form_of(const Index h) const { return is_along_edge(h) ? form[edge_of(h)] : FT(-form[edge_of(h)]); }
 
   /// Log-lengths of `h`, `next(h)`, `previous(h)` up to a common summand.
   std::array<FT, 3> triangle_log_lengths(const Index h) const
   {
     const Index j = mesh.next(h), k = mesh.next(j);
     const FT xi_h = form_of(h), xi_j = form_of(j), xi_k = form_of(k);
-    return {FT(log_length[h >> 1] + (xi_k - xi_j) / 6), FT(log_length[j >> 1] + (xi_h - xi_k) / 6),
-            FT(log_length[k >> 1] + (xi_j - xi_h) / 6)};
+    return {FT(log_length[edge_of(h)] + (xi_k - xi_j) / 6), FT(log_length[edge_of(j)] + (xi_h - xi_k) / 6),
+            FT(log_length[edge_of(k)] + (xi_j - xi_h) / 6)};
   }
 
   /// sets xi = d phi + sum_j c_j eta_j. The coefficients are phi at the vertices, then c.
@@ -64,7 +65,7 @@ struct Similarity_structure {
   {
     const Index number_of_vertices = mesh.number_of_vertices();
     for (Index e = 0; e < mesh.number_of_edges(); ++e) {
-      form[e] = coefficients[mesh.target(2 * e)] - coefficients[mesh.target(2 * e + 1)];
+      form[e] = coefficients[mesh.target(halfedge_of_edge(e))] - coefficients[mesh.source(halfedge_of_edge(e))];
       loops.for_each_passage(e, [&](const int loop, const int sign) {
         if (sign > 0)
           form[e] += coefficients[number_of_vertices + loop];
@@ -79,10 +80,10 @@ struct Similarity_structure {
   bool is_delaunay(const Index e) const
   {
     using std::exp;
-    if (mesh.face(2 * e) == mesh.face(2 * e + 1))
+    if (mesh.face(halfedge_of_edge(e)) == mesh.face(opposite(halfedge_of_edge(e))))
       return true;
     FT sum(0), magnitude(0);
-    for (const Index h : {2 * e, 2 * e + 1}) {
+    for (const Index h : halfedges_of_edge(e)) {
       const std::array<FT, 3> l = triangle_log_lengths(h);
       const FT ratio = exp(FT(l[1] - l[2])), inverse = 1 / ratio, square = exp(FT(2 * l[0] - l[1] - l[2]));
       sum += (ratio + inverse) - square; // twice the cosine
@@ -94,7 +95,7 @@ struct Similarity_structure {
   /// flips the edge of `h` with Ptolemy's formula on the unscaled lengths.
   void flip_ptolemy(const Index h)
   {
-    log_length[h >> 1] = ptolemy(log_length, h);
+    log_length[edge_of(h)] = ptolemy(log_length, h);
     flip_topology(h);
   }
 
@@ -104,7 +105,7 @@ struct Similarity_structure {
     using std::exp;
     using std::log;
     using std::sin;
-    const Index g = Triangulation_connectivity::opposite(h);
+    const Index g = opposite(h);
     const Index h1 = mesh.next(h), h2 = mesh.next(h1), g1 = mesh.next(g);
     const std::array<FT, 3> above = triangle_log_lengths(h), below = triangle_log_lengths(g);
     const FT at_source = Triangle_angles<FT>(above).angle[1] + Triangle_angles<FT>(below).angle[2];
@@ -117,8 +118,8 @@ struct Similarity_structure {
     // phi is zero at the source of h here.
     const FT phi_above = -form_of(h2), phi_below = form_of(g1), mean = (form_of(h) + phi_above) / 3;
     if (!log_penner.empty())
-      log_penner[h >> 1] = ptolemy(log_penner, h);
-    log_length[h >> 1] = scaled + mean - (phi_above + phi_below) / 2;
+      log_penner[edge_of(h)] = ptolemy(log_penner, h);
+    log_length[edge_of(h)] = scaled + mean - (phi_above + phi_below) / 2;
     flip_topology(h);
   }
 
@@ -127,17 +128,18 @@ private:
   {
     using std::exp;
     using std::log1p;
-    const Index g = Triangulation_connectivity::opposite(h);
-    const FT u = lambda[mesh.next(h) >> 1] + lambda[mesh.next(g) >> 1];
-    const FT v = lambda[mesh.previous(h) >> 1] + lambda[mesh.previous(g) >> 1];
-    return u > v ? FT(u + log1p(exp(FT(v - u))) - lambda[h >> 1]) : FT(v + log1p(exp(FT(u - v))) - lambda[h >> 1]);
+    const Index g = opposite(h);
+    const FT u = lambda[edge_of(mesh.next(h))] + lambda[edge_of(mesh.next(g))];
+    const FT v = lambda[edge_of(mesh.previous(h))] + lambda[edge_of(mesh.previous(g))];
+    return u > v ? FT(u + log1p(exp(FT(v - u))) - lambda[edge_of(h)])
+                 : FT(v + log1p(exp(FT(u - v))) - lambda[edge_of(h)]);
   }
 
   void flip_topology(const Index h)
   {
-    const Index g = Triangulation_connectivity::opposite(h);
+    const Index g = opposite(h);
     const FT xi = -(form_of(mesh.next(g)) + form_of(mesh.previous(h)));
-    form[h >> 1] = (h & 1) ? FT(-xi) : xi;
+    form[edge_of(h)] = is_along_edge(h) ? xi : FT(-xi);
     if (delaunay_edges.is_empty())
       loops.flip(mesh, h);
     else {
@@ -174,15 +176,15 @@ std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::siz
       continue;
     if (flips == maximum)
       return maximum + 1;
-    const Index h = 2 * e, g = h + 1;
+    const auto [h, g] = halfedges_of_edge(e);
     const std::array<Index, 4> sides = {mesh.next(h), mesh.previous(h), mesh.next(g), mesh.previous(g)};
     if (!flip(h))
       return maximum + 1;
     ++flips;
     for (const Index side : sides)
-      if (!is_on_stack[side >> 1]) {
-        is_on_stack[side >> 1] = 1;
-        stack.push_back(side >> 1);
+      if (!is_on_stack[edge_of(side)]) {
+        is_on_stack[edge_of(side)] = 1;
+        stack.push_back(edge_of(side));
       }
   }
   return flips;

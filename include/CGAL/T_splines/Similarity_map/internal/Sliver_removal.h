@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Refined_triangulation.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -216,8 +217,8 @@ private:
 
   bool can_flip(const Index h) const
   {
-    const Index g = Triangulation_connectivity::opposite(h);
-    if (m_is_cut[h >> 1] || m_refined.input_halfedge[h] != none)
+    const Index g = opposite(h);
+    if (m_is_cut[edge_of(h)] || m_refined.input_halfedge[h] != none)
       return false;
     const Corner i = corner(g), j = corner(h), k = corner(m_mesh.next(h)), l = corner(m_mesh.next(g));
     const Index input_face = m_refined.input_face[m_mesh.face(h)];
@@ -227,19 +228,19 @@ private:
 
   void flip(const Index h)
   {
-    const Index g = Triangulation_connectivity::opposite(h);
+    const Index g = opposite(h);
     m_refined.uv[h] = m_refined.uv[m_mesh.next(h)];
     m_refined.uv[g] = m_refined.uv[m_mesh.next(g)];
     m_refined.final_halfedge[h] = m_refined.final_halfedge[g] = none;
     for (const Index k : {h, g})
-      m_outgoing[m_mesh.source(k)] = m_mesh.next(Triangulation_connectivity::opposite(k));
+      m_outgoing[m_mesh.source(k)] = m_mesh.next(opposite(k));
     m_mesh.flip(h);
   }
 
   // Whether the source of h, an added vertex, may be moved into the target.
   bool can_collapse(const Index h) const
   {
-    const Index u = m_mesh.source(h), w = m_mesh.target(h), g = Triangulation_connectivity::opposite(h);
+    const Index u = m_mesh.source(h), w = m_mesh.target(h), g = opposite(h);
     if (m_refined.place[u].kind == Input_place::Kind::VERTEX)
       return false;
     if (m_refined.place[u].kind == Input_place::Kind::EDGE && m_refined.input_halfedge[h] == none)
@@ -247,19 +248,19 @@ private:
     int cut_edges = 0, common_neighbors = 0;
     Index k = h;
     do {
-      cut_edges += m_is_cut[k >> 1] ? 1 : 0;
+      cut_edges += m_is_cut[edge_of(k)] ? 1 : 0;
       if (k != h && m_mesh.target(k) == w)
         return false;
       if (k != h && are_adjacent(m_mesh.target(k), w))
         ++common_neighbors;
       k = m_mesh.next_around_source(k);
     } while (k != h);
-    if (common_neighbors != 2 || (cut_edges != 0 && (cut_edges != 2 || !m_is_cut[h >> 1])))
+    if (common_neighbors != 2 || (cut_edges != 0 && (cut_edges != 2 || !m_is_cut[edge_of(h)])))
       return false;
     int bad = 0;
     bool is_right_of_cut = false; // once the second cut edge at u is passed
     for (k = m_mesh.next_around_source(h); k != h; k = m_mesh.next_around_source(k)) {
-      is_right_of_cut = is_right_of_cut || m_is_cut[k >> 1];
+      is_right_of_cut = is_right_of_cut || m_is_cut[edge_of(k)];
       const Index f = m_mesh.face(k);
       const Corner moved = {w, uv_at_target(h, is_right_of_cut)}, p = corner(k), q = corner(m_mesh.next(k));
       if (f == m_mesh.face(g) || is_good(moved, p, q, m_refined.input_face[f]))
@@ -274,33 +275,33 @@ private:
   // uv of the target of h in the chart on its left, or on its right.
   const std::array<double, 2>& uv_at_target(const Index h, const bool on_the_right) const
   {
-    return on_the_right ? m_refined.uv[m_mesh.previous(Triangulation_connectivity::opposite(h))] : m_refined.uv[h];
+    return on_the_right ? m_refined.uv[m_mesh.previous(opposite(h))] : m_refined.uv[h];
   }
 
   void collapse(const Index h)
   {
-    const Index g = Triangulation_connectivity::opposite(h), u = m_mesh.source(h), w = m_mesh.target(h);
+    const Index g = opposite(h), u = m_mesh.source(h), w = m_mesh.target(h);
     const std::array<double, 2> uv_left = uv_at_target(h, false), uv_right = uv_at_target(h, true);
     bool is_right_of_cut = false;
     for (Index k = m_mesh.next_around_source(h); k != h; k = m_mesh.next_around_source(k)) {
-      is_right_of_cut = is_right_of_cut || m_is_cut[k >> 1];
+      is_right_of_cut = is_right_of_cut || m_is_cut[edge_of(k)];
       m_refined.uv[m_mesh.previous(k)] = is_right_of_cut ? uv_right : uv_left; // the halfedge to u in the face of k
     }
     // Each of the two triangles of the edge vanishes; its two other edges become one.
     const Index from_w = m_mesh.next(h),
-                from_u = Triangulation_connectivity::opposite(m_mesh.previous(h)); // both to the left apex
+                from_u = opposite(m_mesh.previous(h)); // both to the left apex
     const Index to_w = m_mesh.previous(g),
-                to_u = Triangulation_connectivity::opposite(m_mesh.next(g)); // both from the right apex
+                to_u = opposite(m_mesh.next(g)); // both from the right apex
     std::vector<Index> incoming;
     for (Index k = m_mesh.next_around_source(h); k != h; k = m_mesh.next_around_source(k))
-      incoming.push_back(Triangulation_connectivity::opposite(k));
+      incoming.push_back(opposite(k));
     for (const Index k : incoming)
       m_mesh.m_target[k] = w;
     m_is_removed[m_mesh.face(h)] = m_is_removed[m_mesh.face(g)] = 1;
     replace(from_u, from_w);
     replace(to_u, to_w);
     m_outgoing[w] = from_w;
-    m_outgoing[m_mesh.target(from_w)] = Triangulation_connectivity::opposite(from_w);
+    m_outgoing[m_mesh.target(from_w)] = opposite(from_w);
     m_outgoing[m_mesh.source(to_w)] = to_w;
     m_outgoing[u] = none;
   }
@@ -314,14 +315,13 @@ private:
     m_mesh.m_face[by] = f;
     m_mesh.m_face_halfedge[f] = by;
     m_refined.uv[by] = m_refined.uv[h];
-    const Index h_opposite = Triangulation_connectivity::opposite(h),
-                by_opposite = Triangulation_connectivity::opposite(by);
+    const Index h_opposite = opposite(h), by_opposite = opposite(by);
     for (std::vector<int>* on_curve : {&m_refined.input_halfedge, &m_refined.final_halfedge})
       if ((*on_curve)[by] == none) {
         (*on_curve)[by] = (*on_curve)[h];
         (*on_curve)[by_opposite] = (*on_curve)[h_opposite];
       }
-    m_is_cut[by >> 1] = m_is_cut[by >> 1] || m_is_cut[h >> 1];
+    m_is_cut[edge_of(by)] = m_is_cut[edge_of(by)] || m_is_cut[edge_of(h)];
     m_mesh.m_face[h] = none;
   }
 
@@ -340,7 +340,7 @@ private:
       result.input_face.push_back(m_refined.input_face[f]);
       Index h = m_mesh.halfedge_of_face(f);
       for (int i = 0; i < 3; ++i, h = m_mesh.next(h))
-        new_vertex[m_mesh.target(h)] = new_halfedge[h] = new_halfedge[h ^ 1] = 0; // in use
+        new_vertex[m_mesh.target(h)] = new_halfedge[h] = new_halfedge[opposite(h)] = 0; // in use
     }
     for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
       if (new_vertex[v] != none) {
@@ -362,8 +362,8 @@ private:
       result.uv.push_back(m_refined.uv[h]);
       result.input_halfedge.push_back(m_refined.input_halfedge[h]);
       result.final_halfedge.push_back(m_refined.final_halfedge[h]);
-      if (h % 2 == 0)
-        is_cut.push_back(m_is_cut[h >> 1]);
+      if (is_along_edge(h))
+        is_cut.push_back(m_is_cut[edge_of(h)]);
     }
     for (Index& h : result.mesh.m_face_halfedge)
       h = new_halfedge[h];

@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Flat_layout.h>
 #include <CGAL/T_splines/Similarity_map/internal/Refined_triangulation.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/assertions.h>
 
@@ -79,7 +80,7 @@ public:
   {
     const FT s0 = place_on_input_edge(input_nodes[0], on_input, FT(0));
     const FT s1 = place_on_input_edge(input_nodes[1], on_input, FT(1));
-    Final_place place{Kind::EDGE, on_final >> 1, {}};
+    Final_place place{Kind::EDGE, edge_of(on_final), {}};
     add_on_final_edge(final_nodes[0], FT(1 - final_fraction), 0, place.weight);
     add_on_final_edge(final_nodes[1], final_fraction, 1, place.weight);
     add_node(on_input_edge(on_input, FT(s0 + input_fraction * (s1 - s0))), place);
@@ -150,7 +151,8 @@ private:
   {
     constexpr double of_computation = 1e-11, at_most = 1e-7;
     double square = 0, largest = 0;
-    const std::array<double, 3>&p = m_point[m_middle.source(2 * e)], &q = m_point[m_middle.target(2 * e)];
+    const std::array<double, 3>&p = m_point[m_middle.source(halfedge_of_edge(e))],
+                             &q = m_point[m_middle.target(halfedge_of_edge(e))];
     for (int k = 0; k < 3; ++k) {
       square += (q[k] - p[k]) * (q[k] - p[k]);
       largest = std::max(largest, std::max(std::abs(p[k]), std::abs(q[k])));
@@ -172,7 +174,7 @@ private:
     std::array<int, 3> corner{};
     int corners = 2;
     if (place.kind == Kind::EDGE)
-      corner = {m_input.source(2 * place.index), m_input.target(2 * place.index), 0};
+      corner = {m_input.source(halfedge_of_edge(place.index)), m_input.target(halfedge_of_edge(place.index)), 0};
     else {
       const int h = m_input.halfedge_of_face(place.index);
       corner = {m_input.target(h), m_input.target(m_input.next(h)), m_input.source(h)};
@@ -202,8 +204,8 @@ private:
   static Input_place on_input_edge(const int h, const FT& s)
   {
     const double at_target = static_cast<double>(s), at_source = static_cast<double>(FT(1 - s));
-    Input_place place{Kind::EDGE, h >> 1, {{at_source, at_target, 0}}};
-    if (h & 1)
+    Input_place place{Kind::EDGE, edge_of(h), {{at_source, at_target, 0}}};
+    if (!is_along_edge(h))
       std::swap(place.weight[0], place.weight[1]);
     return place;
   }
@@ -213,7 +215,7 @@ private:
     const Edge_point& point = m_points[i];
     if (point.input != none)
       return on_input_edge(m_on_input.point(point.input).input_halfedge, m_on_input.point(point.input).s);
-    const int shared = m_on_input.input_halfedge(2 * e);
+    const int shared = m_on_input.input_halfedge(halfedge_of_edge(e));
     if (shared != none)
       return on_input_edge(shared, point.t);
     // Inside an input face, between the last input point before it and the first one behind it.
@@ -224,7 +226,8 @@ private:
       ++after;
     const bool has_before = before >= m_begin[e], has_after = after < m_begin[e + 1];
     CGAL_assertion(has_before || has_after);
-    const int face = has_before ? m_input.face(input_halfedge_of(before)) : m_input.face(input_halfedge_of(after) ^ 1);
+    const int face =
+        has_before ? m_input.face(input_halfedge_of(before)) : m_input.face(opposite(input_halfedge_of(after)));
     const FT t0 = has_before ? m_points[before].t : FT(0), t1 = has_after ? m_points[after].t : FT(1);
     const FT mu = t1 > t0 ? FT((point.t - t0) / (t1 - t0)) : FT(0.5);
     std::array<FT, 3> weight{};
@@ -232,10 +235,10 @@ private:
       add_on_side(m_input, face, input_halfedge_of(before), m_on_input.point(m_points[before].input).s, FT(1 - mu),
                   weight);
     else
-      add_apex(m_input, face, input_halfedge_of(after) ^ 1, FT(1 - mu), weight);
+      add_apex(m_input, face, opposite(input_halfedge_of(after)), FT(1 - mu), weight);
     if (has_after)
-      add_on_side(m_input, face, input_halfedge_of(after) ^ 1, FT(1 - m_on_input.point(m_points[after].input).s), mu,
-                  weight);
+      add_on_side(m_input, face, opposite(input_halfedge_of(after)), FT(1 - m_on_input.point(m_points[after].input).s),
+                  mu, weight);
     else
       add_apex(m_input, face, input_halfedge_of(before), mu, weight);
     return {Kind::FACE, face, {{double(weight[0]), double(weight[1]), double(weight[2])}}};
@@ -268,12 +271,12 @@ private:
     const Edge_point& point = m_points[i];
     if (point.last != none) {
       const auto& crossing = m_on_final.point(point.last);
-      return {Kind::EDGE, crossing.final_halfedge >> 1, {crossing.weight_source, crossing.weight_target, FT(0)}};
+      return {Kind::EDGE, edge_of(crossing.final_halfedge), {crossing.weight_source, crossing.weight_target, FT(0)}};
     }
-    const int shared = m_on_final.final_halfedge(2 * e);
+    const int shared = m_on_final.final_halfedge(halfedge_of_edge(e));
     if (shared != none) {
-      Final_place place{Kind::EDGE, shared >> 1, {FT(1 - point.t), point.t, FT(0)}};
-      if (shared & 1)
+      Final_place place{Kind::EDGE, edge_of(shared), {FT(1 - point.t), point.t, FT(0)}};
+      if (!is_along_edge(shared))
         std::swap(place.weight[0], place.weight[1]);
       return place;
     }
@@ -287,7 +290,7 @@ private:
     CGAL_assertion(has_before || has_after);
     // The final halfedge crosses the middle one from its right to its left: the middle one leaves the face of it.
     const int exit = has_after ? final_halfedge_of(after) : none,
-              entry = has_before ? final_halfedge_of(before) ^ 1 : none;
+              entry = has_before ? opposite(final_halfedge_of(before)) : none;
     const int face = has_before ? m_last.face(entry) : m_last.face(exit);
     const FT t0 = has_before ? m_points[before].t : FT(0), t1 = has_after ? m_points[after].t : FT(1);
     const FT mu = t1 > t0 ? FT((point.t - t0) / (t1 - t0)) : FT(0.5);
@@ -308,9 +311,10 @@ private:
   void add_final_point(const int face, const int h, const int number, const FT& factor, std::array<FT, 3>& weight) const
   {
     const auto& crossing = m_on_final.point(number);
-    weight[corner_index(m_last, face, h)] += factor * ((h & 1) ? crossing.weight_source : crossing.weight_target);
+    weight[corner_index(m_last, face, h)] +=
+        factor * (is_along_edge(h) ? crossing.weight_target : crossing.weight_source);
     weight[corner_index(m_last, face, m_last.previous(h))] +=
-        factor * ((h & 1) ? crossing.weight_target : crossing.weight_source);
+        factor * (is_along_edge(h) ? crossing.weight_source : crossing.weight_target);
   }
 
   // Place of a node on the input halfedge on which it lies: 0 at the source; `at_vertex` if the node is a vertex.
@@ -339,7 +343,7 @@ private:
     using std::exp;
     // The even halfedge, if it lies in the face, or if both sides have the same chart: then all computations are the
     // same on both.
-    const int even = 2 * place.index;
+    const int even = halfedge_of_edge(place.index);
     const bool use_even = m_last.face(even) == face || !m_layout.is_cut(place.index);
     const int h = use_even ? even : even + 1;
     const Vector source = m_layout.position(m_last.previous(h)), target = m_layout.position(h);
@@ -353,7 +357,7 @@ private:
   {
     using std::exp;
     const int h = m_last.halfedge_of_face(place.index), j = m_last.next(h), k = m_last.next(j);
-    const auto form = [&](const int g) { return (g & 1) ? FT(-m_form[g >> 1]) : m_form[g >> 1]; };
+    const auto form = [&](const int g) { return is_along_edge(g) ? m_form[edge_of(g)] : FT(-m_form[edge_of(g)]); };
     const FT w0 = place.weight[0], w1 = place.weight[1] * exp(FT(-form(j))), w2 = place.weight[2] * exp(FT(form(h)));
     const Vector base = m_layout.position(h);
     const FT sum = w0 + w1 + w2;

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_UV_SEAMS_H
 
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <algorithm>
 #include <array>
@@ -58,7 +59,7 @@ public:
   {
     std::vector<Index> welded;
     for (Index e = 0; e < mesh.number_of_edges(); ++e) {
-      const Index h = 2 * e, g = h + 1;
+      const auto [h, g] = halfedges_of_edge(e);
       if (mesh.face(h) == mesh.null || mesh.face(g) == mesh.null)
         continue;
       if (uv[h] == uv[mesh.previous(g)] && uv[g] == uv[mesh.previous(h)])
@@ -82,7 +83,7 @@ private:
   // A difference beyond a thousandth of the edge is not taken for rounding, whatever the tolerance.
   bool is_nearly_identity(const Uv_array& uv, const Index h, const double tolerance) const
   {
-    const Index g = h ^ 1, before = m_mesh.previous(h), behind = m_mesh.previous(g);
+    const Index g = opposite(h), before = m_mesh.previous(h), behind = m_mesh.previous(g);
     double size = 0;
     for (const Index corner : {h, g, before, behind})
       size = std::max(size, largest_coordinate(uv[corner]));
@@ -100,7 +101,7 @@ private:
       m_is_cut[e] = 2;
     std::vector<Index> ends;
     for (Index h = 0; h < m_mesh.number_of_halfedges(); ++h)
-      if (m_is_cut[h >> 1] == 1)
+      if (m_is_cut[edge_of(h)] == 1)
         ++degree[m_mesh.target(h)];
     const std::vector<Index> outgoing = m_mesh.outgoing_halfedges();
     for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
@@ -112,9 +113,9 @@ private:
       if (degree[v] != 1 || !is_flat(uv, outgoing[v]))
         continue;
       for_each_outgoing(outgoing[v], [&](const Index h) {
-        if (m_is_cut[h >> 1] != 2)
+        if (m_is_cut[edge_of(h)] != 2)
           return;
-        m_is_cut[h >> 1] = 1;
+        m_is_cut[edge_of(h)] = 1;
         ++degree[v];
         if (++degree[m_mesh.target(h)] == 1)
           ends.push_back(m_mesh.target(h));
@@ -130,10 +131,10 @@ private:
     double angle = 0;
     bool is_inner = true;
     for_each_outgoing(out, [&](const Index h) {
-      if (m_mesh.face(h ^ 1) == m_mesh.null)
+      if (m_mesh.face(opposite(h)) == m_mesh.null)
         is_inner = false;
       else
-        angle += uv_angle(m_mesh, uv, h ^ 1);
+        angle += uv_angle(m_mesh, uv, opposite(h));
     });
     const double turns = angle / (8 * std::atan(1.));
     return is_inner && std::abs(turns - std::round(turns)) < 0.1;
@@ -145,7 +146,7 @@ private:
       m_is_cut[e] = 0;
     std::vector<char> is_done(m_mesh.number_of_halfedges(), 0);
     for (const Index e : welded)
-      for (const Index corner : {2 * e, 2 * e + 1})
+      for (const Index corner : halfedges_of_edge(e))
         if (!is_done[corner])
           weld_sector(corner, uv, is_done);
   }
@@ -154,8 +155,8 @@ private:
   void weld_sector(const Index corner, Uv_array& uv, std::vector<char>& is_done) const
   {
     Index first = corner; // clockwise
-    while (!is_cut(first >> 1) && m_mesh.face(first ^ 1) != m_mesh.null) {
-      first = m_mesh.previous(first ^ 1);
+    while (!is_cut(edge_of(first)) && m_mesh.face(opposite(first)) != m_mesh.null) {
+      first = m_mesh.previous(opposite(first));
       if (first == corner)
         break;
     }
@@ -164,9 +165,9 @@ private:
       uv[h] = value;
       is_done[h] = 1;
       const Index out = m_mesh.next(h);
-      if (is_cut(out >> 1) || m_mesh.face(out ^ 1) == m_mesh.null)
+      if (is_cut(edge_of(out)) || m_mesh.face(opposite(out)) == m_mesh.null)
         break;
-      h = out ^ 1;
+      h = opposite(out);
       if (h == first)
         break;
     }
@@ -178,7 +179,7 @@ private:
     Index h = first; // on the border, `next` follows it: the halfedge before it around the vertex
     do {
       visit(h);
-      h = m_mesh.next(h ^ 1);
+      h = m_mesh.next(opposite(h));
     } while (h != first);
   }
 

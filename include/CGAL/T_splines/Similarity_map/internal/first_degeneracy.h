@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_FIRST_DEGENERACY_H
 
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <algorithm>
 #include <array>
@@ -53,7 +54,7 @@ struct First_degeneracy {
   First_degeneracy(const Similarity_structure<FT>& structure, const std::vector<double>& step)
   {
     const Triangulation_connectivity& mesh = structure.mesh;
-    const auto step_of = [&](const Index h) { return (h & 1) ? -step[h >> 1] : step[h >> 1]; };
+    const auto step_of = [&](const Index h) { return is_along_edge(h) ? step[edge_of(h)] : -step[edge_of(h)]; };
     for (Index f = 0; f < mesh.number_of_faces(); ++f) {
       const Index h = mesh.halfedge_of_face(f), j = mesh.next(h), k = mesh.next(j);
       const std::array<FT, 3> log_length = structure.triangle_log_lengths(h);

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/internal/Enclosed_number.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -74,8 +75,8 @@ public:
   bool is_cut(const Index edge) const { return m_branch[edge] != none; }
   int branch(const Index edge) const { return m_branch[edge]; }
 
-  /// Whether the transition of the branch of a cut edge is that of its even halfedge; else it is that of the odd one.
-  bool is_along(const Index edge) const { return m_is_along[edge] != 0; }
+  /// Whether the transition of `h` is that of the branch of its edge; else it is the inverse. \pre the edge is cut
+  bool is_along_branch(const Index h) const { return (m_is_along[edge_of(h)] != 0) == is_along_edge(h); }
 
   /// The transition of a branch.
   const Transition& transition_of_branch(const int branch) const { return m_transitions[branch]; }
@@ -83,13 +84,13 @@ public:
   /// The transition from the chart of the face of `h` to that of its opposite's face. \pre the edge of `h` is cut
   const Transition& transition(const Index h) const
   {
-    const Index edge = h >> 1;
+    const Index edge = edge_of(h);
     CGAL_precondition(is_cut(edge));
-    return is_along(edge) == ((h & 1) == 0) ? m_transitions[m_branch[edge]] : m_inverse_transitions[m_branch[edge]];
+    return (is_along_branch(h) ? m_transitions : m_inverse_transitions)[m_branch[edge]];
   }
 
   /// The rotation of the transition of any inner halfedge, in quarter turns.
-  int rotation(const Index h) const { return is_cut(h >> 1) ? transition(h).quarter_turns() : 0; }
+  int rotation(const Index h) const { return is_cut(edge_of(h)) ? transition(h).quarter_turns() : 0; }
 
   /// The cone angle of a vertex in quarter turns: 4 if it is regular; on the border the angle, 2 if it is regular.
   int quarter_turns(const Index vertex) const { return m_quarter_turns[vertex]; }
@@ -129,8 +130,8 @@ public:
   /// The branch's transition becomes that of `h`.
   void set_branch(const Index h, const int branch)
   {
-    m_branch[h >> 1] = branch;
-    m_is_along[h >> 1] = (h & 1) == 0;
+    m_branch[edge_of(h)] = branch;
+    m_is_along[edge_of(h)] = is_along_edge(h);
   }
   void set_quarter_turns(const Index vertex, const int k) { m_quarter_turns[vertex] = k; }
 

@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/Tracing/internal/Trace_arcs.h>
 #include <CGAL/T_splines/Tracing/internal/Vertex_stars.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <algorithm>
 #include <array>
@@ -94,15 +95,16 @@ private:
 
   int frame_across(const int frame, const int h) // from the chart of the face of h to that of its opposite
   {
-    if (!m_layout.is_cut(h >> 1))
+    if (!m_layout.is_cut(edge_of(h)))
       return frame;
-    const bool is_along = m_layout.is_along(h >> 1) == ((h & 1) == 0);
+    const bool is_along = m_layout.is_along_branch(h);
     const std::uint64_t key = static_cast<std::uint64_t>(frame) * (2 * m_layout.number_of_branches()) +
-                              2 * m_layout.branch(h >> 1) + (is_along ? 0 : 1);
+                              2 * m_layout.branch(edge_of(h)) + (is_along ? 0 : 1);
     const auto found = m_neighbor_frames.find(key);
     if (found != m_neighbor_frames.end())
       return found->second;
-    const int neighbor = add_frame(m_frames[frame].face, compose(m_frames[frame].to_face, m_layout.transition(h ^ 1)));
+    const int neighbor =
+        add_frame(m_frames[frame].face, compose(m_frames[frame].to_face, m_layout.transition(opposite(h))));
     m_neighbor_frames.emplace(key, neighbor);
     return neighbor;
   }
@@ -129,7 +131,7 @@ private:
 
   bool is_free(const int h) const
   {
-    return m_traces.first_crossing_of_edge[h >> 1] == none && m_traces.first_chord_along_edge[h >> 1] == none;
+    return m_traces.first_crossing_of_edge[edge_of(h)] == none && m_traces.first_chord_along_edge[edge_of(h)] == none;
   }
 
   // --- vertices on traces, and their neighbors
@@ -171,11 +173,11 @@ private:
       place_target();
       pass_rays(false);
       const int last = m_mesh.previous(h);
-      if (m_mesh.face(last ^ 1) == none)
+      if (m_mesh.face(opposite(last)) == none)
         return; // on the border all vertices lie on traces
       if (frame != none)
         frame = frame_across(frame, last);
-      h = last ^ 1;
+      h = opposite(last);
     } while (h != begin);
     place_target(); // before the first ray, which lies behind its halfedge
   }
@@ -185,7 +187,7 @@ private:
   /// Whether crossing a comes before crossing b on the even halfedge of their edge.
   bool precedes(const int a, const int b, const int e) const
   {
-    const int h = 2 * e, last = m_mesh.face(h) == none ? none : m_mesh.previous(h);
+    const int h = halfedge_of_edge(e), last = m_mesh.face(h) == none ? none : m_mesh.previous(h);
     const typename Traces::Edge_crossing &x = m_traces.crossings[a], &y = m_traces.crossings[b];
     const int axis = axis_across(x.direction[0]);
     const CGAL::Comparison_result course =
@@ -215,8 +217,8 @@ private:
       if (precedes(last, r, e))
         last = r;
     }
-    place_end_beyond(first, 2 * e + 1);
-    place_end_beyond(last, 2 * e);
+    place_end_beyond(first, opposite(halfedge_of_edge(e)));
+    place_end_beyond(last, halfedge_of_edge(e));
   }
 
   /// Places the target of h, which no trace separates from the crossing.
@@ -287,7 +289,7 @@ private:
         set_place(m_mesh.target(h), frame, h);
       const int last = m_mesh.previous(h);
       frame = frame_across(frame, last);
-      h = last ^ 1;
+      h = opposite(last);
     } while (h != first);
   }
 

@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/internal/Enclosed_number.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -75,7 +76,7 @@ public:
     for (; i < m_images.size() && progress.go_on_after(5); ++i) {
       const auto corner = corners(m_images[i].triangle);
       for (int side = 0; side < 3; ++side) {
-        const int across = corner[side] ^ 1;
+        const int across = opposite(corner[side]);
         if (m_mesh.face(across) == none || !is_crossed(m_images[i], corner, side))
           continue;
         const Image image = continued(m_images[i], side, across);
@@ -208,9 +209,9 @@ private:
     Image image = from;
     image.triangle = m_mesh.face(across);
     image.next = none;
-    if (m_layout.is_cut(across >> 1)) {
-      const int branch = m_layout.branch(across >> 1);
-      const bool is_along = m_layout.is_along(across >> 1) == ((across & 1) == 0);
+    if (m_layout.is_cut(edge_of(across))) {
+      const int branch = m_layout.branch(edge_of(across));
+      const bool is_along = m_layout.is_along_branch(across);
       image.quarter_turns = (image.quarter_turns + m_layout.rotation(across)) % 4;
       image.scale *= is_along ? m_branch_scales[branch] : 1 / m_branch_scales[branch];
     }
@@ -311,11 +312,11 @@ private:
     Image best;
     double best_excess = (std::numeric_limits<double>::max)();
     for (const int h : corners(triangle)) {
-      const int neighbor = m_mesh.face(h ^ 1);
+      const int neighbor = m_mesh.face(opposite(h));
       if (neighbor == none || neighbor == triangle)
         continue;
       const std::array<int, 3> corner = corners(neighbor);
-      const int side = static_cast<int>(std::find(corner.begin(), corner.end(), h ^ 1) - corner.begin());
+      const int side = static_cast<int>(std::find(corner.begin(), corner.end(), opposite(h)) - corner.begin());
       for (int i = m_last_image[neighbor]; i != none; i = m_images[i].next) {
         const Image image = continued(m_images[i], side, h);
         const double e = excess(combination(image, {{1. / 3, 1. / 3, 1. / 3}}), m_sizes[image.face]);

@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/Tracing/internal/Number_pool.h>
 #include <CGAL/T_splines/Tracing/internal/Vertex_stars.h>
 #include <CGAL/T_splines/Tracing/internal/isoline_directions.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <array>
 #include <vector>
@@ -117,7 +118,7 @@ public:
         }
         polyline.push_back(
             m_points.on_edge(exit.halfedge, m_points.parameter_on_edge(exit.halfedge, step.line, step.direction)));
-        if (m_mesh.face(exit.halfedge ^ 1) == none)
+        if (m_mesh.face(opposite(exit.halfedge)) == none)
           return false;
         cross(exit.halfedge, numbers, step);
         continue;
@@ -168,9 +169,9 @@ private:
             m_stars.ray(stand.star, stand.slot).direction == direction)
           return stand;
       direction = turned(direction, m_layout.rotation(h));
-      if (m_layout.is_cut(h >> 1))
+      if (m_layout.is_cut(edge_of(h)))
         stand.unit *= m_layout.transition(h).scale();
-      h = m_mesh.next(h ^ 1);
+      h = m_mesh.next(opposite(h));
     }
   }
 
@@ -199,15 +200,15 @@ private:
   void cross(const int h, Number_pool<FT>& numbers, Step& step)
   {
     const auto [line, direction] = line_across_edge(m_layout, numbers, h, step.line, step.direction);
-    if (m_layout.is_cut(h >> 1)) {
+    if (m_layout.is_cut(edge_of(h))) {
       const Similarity_2<FT>& transition = m_layout.transition(h);
       step.end = numbers.store(transformed_coordinate(transition, step.direction, step.end.value()));
       step.unit *= transition.scale();
     }
     step.line = line;
     step.direction = direction;
-    step.face = m_mesh.face(h ^ 1);
-    step.entry = {Gate::Kind::EDGE, h ^ 1, {}};
+    step.face = m_mesh.face(opposite(h));
+    step.entry = {Gate::Kind::EDGE, opposite(h), {}};
   }
 
   void arrive_in_face(Stand& stand, const Step& step) const
@@ -237,9 +238,9 @@ private:
       const Vertex_ray& ray = m_stars.ray(stand.star, stand.slot);
       if (ray.halfedge == out && ray.direction == back)
         return true;
-      const int rotation = m_mesh.face(h ^ 1) == none ? 0 : m_layout.rotation(h);
-      if (ray.halfedge == (h ^ 1) && ray.is_along && ray.direction == turned(back, rotation)) {
-        if (m_layout.is_cut(h >> 1))
+      const int rotation = m_mesh.face(opposite(h)) == none ? 0 : m_layout.rotation(h);
+      if (ray.halfedge == opposite(h) && ray.is_along && ray.direction == turned(back, rotation)) {
+        if (m_layout.is_cut(edge_of(h)))
           stand.unit *= m_layout.transition(h).scale();
         return true;
       }

@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/Tracing/internal/isoline_directions.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/exactness.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <array>
 #include <cstddef>
@@ -148,7 +149,7 @@ private:
   {
     for (int half_arc = 0; half_arc < static_cast<int>(m_parts.size()); ++half_arc)
       if (m_arcs.end_slot(half_arc) == none ||
-          m_arcs.leaving(m_arcs.end_node(half_arc), m_arcs.end_slot(half_arc)) != (half_arc ^ 1))
+          m_arcs.leaving(m_arcs.end_node(half_arc), m_arcs.end_slot(half_arc)) != opposite(half_arc))
         return false;
     return true;
   }
@@ -180,14 +181,14 @@ private:
     int last = first;
     while (true) {
       m_parts[last].halfedge = h;
-      m_parts[last ^ 1].halfedge = h + 1;
+      m_parts[opposite(last)].halfedge = opposite(h);
       if (m_vertex_of_node[m_arcs.end_node(last)] != none)
         break;
       last = continuation(last);
     }
     const int source = m_vertex_of_node[m_arcs.start_node(first)], target = m_vertex_of_node[m_arcs.end_node(last)];
     m_halfedges.push_back({first, last, source, target});
-    m_halfedges.push_back({last ^ 1, first ^ 1, target, source});
+    m_halfedges.push_back({opposite(last), opposite(first), target, source});
   }
 
   /// Finds the successors: at its target, a halfedge turns to the left, or goes straight on.

@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/internal/Face_graph_writer.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/converted_number.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -76,7 +77,7 @@ public:
       const auto e = edge(m_writer.halfedge(h), graph);
       const bool is_same = halfedge(e, graph) == m_writer.halfedge(h);
       Polyline polyline;
-      for (const Point& p : geometry.polyline(is_same ? h : h + 1))
+      for (const Point& p : geometry.polyline(is_same ? h : opposite(h)))
         polyline.push_back(to<typename Polyline::value_type>(p));
       put(map, e, std::move(polyline));
     }
@@ -156,8 +157,8 @@ private:
   std::pair<int, Similarity_2<FT>> anchor(const Layout& layout, const Traces& traces, const Arcs& arcs,
                                           const int half_arc) const
   {
-    const typename Arcs::Arc& arc = arcs.arcs()[half_arc / 2];
-    const bool is_forward_arc = (half_arc & 1) == 0;
+    const typename Arcs::Arc& arc = arcs.arcs()[edge_of(half_arc)];
+    const bool is_forward_arc = is_along_edge(half_arc);
     const typename Traces::Chord& chord =
         traces.chords[traces.traces[arc.trace].chords[is_forward_arc ? arc.first_chord : arc.last_chord]];
     const Similarity_2<FT> frame =
@@ -165,7 +166,8 @@ private:
     if (is_forward_arc || !chord.is_along)
       return {chord.face, frame};
     const int h = chord.halfedge; // the left of the half-arc is the other face of the edge
-    return {layout.mesh().face(h ^ 1), layout.is_cut(h >> 1) ? compose(frame, layout.transition(h ^ 1)) : frame};
+    return {layout.mesh().face(opposite(h)),
+            layout.is_cut(edge_of(h)) ? compose(frame, layout.transition(opposite(h))) : frame};
   }
 
   const Cells& m_cells;

@@ -14,6 +14,7 @@
 #include <CGAL/T_splines/Tracing/internal/isoline_directions.h>
 #include <CGAL/T_splines/Tracing/internal/places_on_chords.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/assertions.h>
 
@@ -163,7 +164,7 @@ private:
   void trace_borders()
   {
     for (int h = 0; h < m_mesh.number_of_halfedges(); ++h) {
-      if (m_mesh.face(h) == none || m_mesh.face(h ^ 1) != none)
+      if (m_mesh.face(h) == none || m_mesh.face(opposite(h)) != none)
         continue;
       const int star = m_stars.star_of_vertex(m_mesh.source(h)), end = m_stars.star_of_vertex(m_mesh.target(h));
       const int last = m_stars.star(end).number_of_rays - 1;
@@ -235,7 +236,7 @@ private:
     do {
       const int star = m_stars.star_of_vertex(m_mesh.source(h));
       if (m_stars.star(star).number_of_rays != 3 || occupation(star, 1).state != Ray_state::FREE ||
-          m_traces.chords[m_traces.first_chord_along_edge[h >> 1]].first_node != none)
+          m_traces.chords[m_traces.first_chord_along_edge[edge_of(h)]].first_node != none)
         return false;
       h = m_stars.outgoing(m_mesh.target(h));
     } while (h != first);
@@ -326,7 +327,7 @@ private:
     chord.line = line;
     chord.is_along = is_along;
     chord.halfedge = h;
-    int& first = is_along ? m_traces.first_chord_along_edge[h >> 1] : m_traces.first_chord_in_face[face];
+    int& first = is_along ? m_traces.first_chord_along_edge[edge_of(h)] : m_traces.first_chord_in_face[face];
     chord.next_in_place = first;
     first = c;
     m_traces.chords.push_back(chord);
@@ -413,12 +414,12 @@ private:
   /// The motorcycle is in the interior of the edge of h, which belongs to the face that it has crossed.
   void arrive_at_edge(const int trace, const int c, const int h)
   {
-    const int direction = m_traces.chords[c].direction, side = h & 1;
+    const int direction = m_traces.chords[c].direction, side = side_of_edge(h);
     const Number line = m_traces.chords[c].line;
     const double parameter = m_chart_points.parameter_on_edge(h, line, direction);
     m_traces.chords[c].exit_parameter = parameter;
     move_to(trace, m_chart_points.on_edge(h, parameter));
-    for (int r = m_traces.first_crossing_of_edge[h >> 1]; r != none; r = m_traces.crossings[r].next_on_edge) {
+    for (int r = m_traces.first_crossing_of_edge[edge_of(h)]; r != none; r = m_traces.crossings[r].next_on_edge) {
       const Edge_crossing& record = m_traces.crossings[r];
       if (axis_along(record.direction[side]) == axis_along(direction)) {
         if (m_traits.compare(record.line[side], line) == CGAL::EQUAL)
@@ -428,7 +429,7 @@ private:
                                     m_lines.point_on_line(direction, line, record.line[side])) == CGAL::ZERO)
         return end_on_edge(trace, c, h, r);
     }
-    for (int b = m_traces.first_chord_along_edge[h >> 1]; b != none; b = m_traces.chords[b].next_in_place) {
+    for (int b = m_traces.first_chord_along_edge[edge_of(h)]; b != none; b = m_traces.chords[b].next_in_place) {
       const auto [line_there, direction_there] =
           m_traces.chords[b].halfedge == h ? std::make_pair(line, direction) : across_edge(h, line, direction);
       if (covers(m_traces.chords[b], line_there)) {
@@ -436,7 +437,7 @@ private:
         return end_at(trace, c, node_on_chord(b, line_there), turned(direction_there, 2));
       }
     }
-    if (m_mesh.face(h ^ 1) == none)
+    if (m_mesh.face(opposite(h)) == none)
       return lose();
     pass_edge(trace, c, h);
   }
@@ -456,7 +457,7 @@ private:
   void end_on_edge(const int trace, const int c, const int h, const int crossing)
   {
     Chord& chord = m_traces.chords[c];
-    chord.stop = m_traces.add_coordinate(m_traces.crossings[crossing].line[h & 1]);
+    chord.stop = m_traces.add_coordinate(m_traces.crossings[crossing].line[side_of_edge(h)]);
     const bool is_same_side = m_traces.chords[m_traces.crossings[crossing].chord].halfedge == h;
     const auto [line, direction] =
         is_same_side ? std::make_pair(chord.line, chord.direction) : across_edge(h, chord.line, chord.direction);
@@ -468,18 +469,18 @@ private:
     const Chord& chord = m_traces.chords[c];
     const auto [line, direction] = across_edge(h, chord.line, chord.direction);
     Motorcycle& motorcycle = m_motorcycles[trace];
-    int& first = m_traces.first_crossing_of_edge[h >> 1];
+    int& first = m_traces.first_crossing_of_edge[edge_of(h)];
     Edge_crossing crossing = {c, first, none, {}, {}};
-    crossing.line[h & 1] = chord.line;
-    crossing.direction[h & 1] = chord.direction;
-    crossing.line[1 - (h & 1)] = line;
-    crossing.direction[1 - (h & 1)] = direction;
+    crossing.line[side_of_edge(h)] = chord.line;
+    crossing.direction[side_of_edge(h)] = chord.direction;
+    crossing.line[side_of_edge(opposite(h))] = line;
+    crossing.direction[side_of_edge(opposite(h))] = direction;
     first = static_cast<int>(m_traces.crossings.size());
     m_traces.chords[c].crossing = first;
     m_traces.crossings.push_back(crossing);
     m_spirals.add_crossing(motorcycle.log_scale);
     motorcycle.place = Motorcycle::Place::ON_EDGE;
-    motorcycle.halfedge = h ^ 1;
+    motorcycle.halfedge = opposite(h);
     motorcycle.direction = direction;
     motorcycle.line = line;
     motorcycle.log_scale += m_spirals.log_scale_across(h);
@@ -492,9 +493,9 @@ private:
   void go_along(const int trace, const int h, const int direction, const Number& line)
   {
     int nearest = none;
-    for (int r = m_traces.first_crossing_of_edge[h >> 1]; r != none; r = m_traces.crossings[r].next_on_edge)
-      if (nearest == none ||
-          m_lines.is_ahead(direction, m_traces.crossings[r].line[h & 1], m_traces.crossings[nearest].line[h & 1]))
+    for (int r = m_traces.first_crossing_of_edge[edge_of(h)]; r != none; r = m_traces.crossings[r].next_on_edge)
+      if (nearest == none || m_lines.is_ahead(direction, m_traces.crossings[r].line[side_of_edge(h)],
+                                              m_traces.crossings[nearest].line[side_of_edge(h)]))
         nearest = r;
     const int c = add_chord(trace, m_mesh.face(h), direction, line, true, h);
     if (nearest != none)
@@ -502,7 +503,7 @@ private:
     const int star = m_stars.star_of_vertex(m_mesh.target(h));
     move_to(trace, m_chart_points.of_vertex(m_mesh.target(h)));
     m_motorcycles[trace].log_scale += m_spirals.log_scale_across(h); // the ray there is seen from the other side
-    arrive_at_vertex(trace, c, star, m_stars.slot_along(star, h ^ 1));
+    arrive_at_vertex(trace, c, star, m_stars.slot_along(star, opposite(h)));
   }
 
   void arrive_at_vertex(const int trace, const int c, const int star, const int slot)

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/support/Seamless_layout.h>
 #include <CGAL/T_splines/Tracing/internal/isoline_directions.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -61,7 +62,7 @@ template <typename FT>
 std::pair<Enclosed_number<FT>, int> line_across_edge(const Seamless_layout<FT>& layout, Number_pool<FT>& numbers,
                                                      const int h, const Enclosed_number<FT>& line, const int direction)
 {
-  if (!layout.is_cut(h >> 1))
+  if (!layout.is_cut(edge_of(h)))
     return {line, direction};
   const Similarity_2<FT>& transition = layout.transition(h);
   return {numbers.store(transformed_line(transition, direction, line.value())),

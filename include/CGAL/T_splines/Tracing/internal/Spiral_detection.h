@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Similarity_map/support/Seamless_layout.h>
 #include <CGAL/T_splines/Tracing/internal/Motorcycle_traces.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -38,10 +39,10 @@ public:
   /// The logarithm of the scale of the transition from the face of h to that of its opposite.
   std::int64_t log_scale_across(const int h) const
   {
-    if (!m_layout.is_cut(h >> 1))
+    if (!m_layout.is_cut(edge_of(h)))
       return 0;
-    const std::int64_t log_scale = m_log_scale[m_layout.branch(h >> 1)];
-    return m_layout.is_along(h >> 1) == ((h & 1) == 0) ? log_scale : -log_scale;
+    const std::int64_t log_scale = m_log_scale[m_layout.branch(edge_of(h))];
+    return m_layout.is_along_branch(h) ? log_scale : -log_scale;
   }
 
   /// Takes note of the next crossing of an edge. \param log_scale of the trace's chart before it, against that of its start
@@ -52,7 +53,7 @@ public:
   /// \param first_chord only crossings at the ends of this chord of the trace and later ones count
   bool is_endless(const Motorcycle_traces<FT>& traces, const int crossing, const int h, const int first_chord) const
   {
-    const int side = h & 1, direction = traces.crossings[crossing].direction[side];
+    const int side = side_of_edge(h), direction = traces.crossings[crossing].direction[side];
     const int trace = traces.chords[traces.crossings[crossing].chord].trace;
     int passes = 0;
     for (int r = traces.crossings[crossing].next_on_edge; r != traces.none; r = traces.crossings[r].next_on_edge) {

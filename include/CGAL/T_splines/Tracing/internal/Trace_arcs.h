@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Tracing/internal/Vertex_stars.h>
 #include <CGAL/T_splines/Tracing/internal/isoline_directions.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -79,7 +80,10 @@ public:
   int number_of_segments() const { return static_cast<int>(m_segments.size()); }
 
   /// The half-arc of a segment that has the left or the right side of its arc on its left.
-  int half_arc_beside(const int s, const bool is_left) const { return 2 * m_segments[s].arc + (is_left ? 0 : 1); }
+  int half_arc_beside(const int s, const bool is_left) const
+  {
+    return halfedges_of_edge(m_segments[s].arc)[is_left ? 0 : 1];
+  }
 
   /// The segment in which a chord leaves its face.
   int segment_of_chord(const int c) const { return m_segment_of_chord[c]; }
@@ -98,20 +102,20 @@ public:
 
   int start_node(const int half_arc) const
   {
-    return (half_arc & 1) == 0 ? arc(half_arc).start_node : arc(half_arc).end_node;
+    return is_along_edge(half_arc) ? arc(half_arc).start_node : arc(half_arc).end_node;
   }
   int start_slot(const int half_arc) const
   {
-    return (half_arc & 1) == 0 ? arc(half_arc).start_slot : arc(half_arc).end_slot;
+    return is_along_edge(half_arc) ? arc(half_arc).start_slot : arc(half_arc).end_slot;
   }
-  int end_node(const int half_arc) const { return start_node(half_arc ^ 1); }
-  int end_slot(const int half_arc) const { return start_slot(half_arc ^ 1); }
+  int end_node(const int half_arc) const { return start_node(opposite(half_arc)); }
+  int end_slot(const int half_arc) const { return start_slot(opposite(half_arc)); }
 
   /// The length of a half-arc in units of the chart where it starts.
   FT length(const int half_arc) const
   {
     const Arc& a = arc(half_arc);
-    return (half_arc & 1) == 0 || a.scale == 1 ? a.length : FT(a.length * a.scale);
+    return is_along_edge(half_arc) || a.scale == 1 ? a.length : FT(a.length * a.scale);
   }
 
   // A unit is the scale from a chart to something that stays: it changes with the chart.
@@ -121,7 +125,7 @@ public:
   {
     if (arc(half_arc).scale == 1)
       return;
-    if ((half_arc & 1) == 0)
+    if (is_along_edge(half_arc))
       unit /= arc(half_arc).scale;
     else
       unit *= arc(half_arc).scale;
@@ -140,7 +144,7 @@ public:
     if (Traces::is_star(node))
       return slot == 0 && m_stars.star(node / 2).is_on_border;
     const Chord& chord = m_traces.chords[m_traces.nodes[node / 2].chord]; // a border chord has the surface on its left
-    return chord.is_along && slot == chord.direction && m_mesh.face(chord.halfedge ^ 1) == none;
+    return chord.is_along && slot == chord.direction && m_mesh.face(opposite(chord.halfedge)) == none;
   }
   int next_slot_clockwise(const int node, const int slot) const
   {
@@ -185,7 +189,7 @@ public:
   }
 
 private:
-  const Arc& arc(const int half_arc) const { return m_arcs[half_arc / 2]; }
+  const Arc& arc(const int half_arc) const { return m_arcs[edge_of(half_arc)]; }
 
   std::vector<Visit> sorted_visits(const int trace) const
   {
@@ -235,7 +239,7 @@ private:
   // What happens to a coordinate along a chord, and to the scale, where the trace leaves the face of the chord.
   FT across(const Chord& chord, const FT& along, FT& scale) const
   {
-    if (!m_layout.is_cut(chord.halfedge >> 1))
+    if (!m_layout.is_cut(edge_of(chord.halfedge)))
       return along;
     const Similarity_2<FT>& transition = m_layout.transition(chord.halfedge);
     if (transition.scale() != 1)
@@ -248,7 +252,7 @@ private:
   {
     const int axis = axis_along(chord.direction);
     if (Traces::is_star(visit.node)) {
-      if (chord.is_along && m_layout.is_cut(chord.halfedge >> 1) && m_mesh.face(chord.halfedge ^ 1) != none)
+      if (chord.is_along && m_layout.is_cut(edge_of(chord.halfedge)) && m_mesh.face(opposite(chord.halfedge)) != none)
         scale *= m_layout.transition(chord.halfedge).scale(); // the ray at the end is seen from the other side
       return m_layout.coordinate(chord.halfedge, axis).value();
     }
@@ -256,11 +260,11 @@ private:
     const Chord& other = m_traces.chords[node.chord];
     if (!is_last || &other == &chord)
       return node.along.value();
-    if (chord.halfedge == none || chord.halfedge == other.halfedge || !m_layout.is_cut(chord.halfedge >> 1))
+    if (chord.halfedge == none || chord.halfedge == other.halfedge || !m_layout.is_cut(edge_of(chord.halfedge)))
       return chord.stop != none ? m_traces.coordinates[chord.stop].value() : node.along.value();
     if (chord.stop == none) { // they met head-on: the coordinate is given on the other side
       const FT along =
-          transformed_coordinate(m_layout.transition(chord.halfedge ^ 1), other.direction, node.along.value());
+          transformed_coordinate(m_layout.transition(opposite(chord.halfedge)), other.direction, node.along.value());
       scale *= m_layout.transition(chord.halfedge).scale();
       return along;
     }
@@ -280,7 +284,7 @@ private:
     for (; position < last; ++position) {
       const Chord& chord = chord_of(trace, position);
       m_segment_of_chord[m_traces.traces[trace].chords[position]] = static_cast<int>(m_segments.size()) - 1;
-      if (m_layout.is_cut(chord.halfedge >> 1)) {
+      if (m_layout.is_cut(edge_of(chord.halfedge))) {
         along = across(chord, along, scale);
         m_segments.push_back({a, along, scale});
       }
@@ -294,8 +298,8 @@ private:
       arc.length /= scale;
     arc.scale = end_scale;
     m_arcs.push_back(arc);
-    occupy(start.node, start.departure, 2 * a);
-    occupy(end.node, end.arrival, 2 * a + 1);
+    occupy(start.node, start.departure, halfedge_of_edge(a));
+    occupy(end.node, end.arrival, opposite(halfedge_of_edge(a)));
   }
 
   void occupy(const int node, const int slot, const int half_arc)

@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/Tracing/internal/Trace_arcs.h>
 #include <CGAL/T_splines/Tracing/internal/Vertex_stars.h>
 #include <CGAL/T_splines/Tracing/internal/isoline_directions.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <array>
 #include <vector>
@@ -60,9 +61,9 @@ public:
     int part = m_cells.halfedge(halfedge).first_half_arc;
     add(points, point_of_node(m_arcs.start_node(part)));
     for (; part != Cells::none; part = m_cells.next_part(part)) {
-      const typename Arcs::Arc& arc = m_arcs.arcs()[part / 2];
+      const typename Arcs::Arc& arc = m_arcs.arcs()[edge_of(part)];
       const std::vector<int>& chords = m_traces.traces[arc.trace].chords;
-      if ((part & 1) == 0)
+      if (is_along_edge(part))
         for (int i = arc.first_chord; i < arc.last_chord; ++i)
           add(points, exit_point(m_traces.chords[chords[i]]));
       else

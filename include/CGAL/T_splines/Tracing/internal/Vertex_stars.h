@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Similarity_map/support/Seamless_layout.h>
 #include <CGAL/T_splines/Tracing/internal/isoline_directions.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/assertions.h>
 
@@ -51,7 +52,7 @@ public:
     const Triangulation_connectivity& mesh = layout.mesh();
     for (int h = 0; h < mesh.number_of_halfedges(); ++h)
       if (mesh.face(h) == none) // the opposite of a border halfedge is the first one, counter-clockwise
-        m_outgoing[mesh.target(h)] = h ^ 1;
+        m_outgoing[mesh.target(h)] = opposite(h);
   }
 
   /// The star of a vertex, made if it is new.
@@ -68,7 +69,7 @@ public:
   const Star& star(const int s) const { return m_stars[s]; }
   const Vertex_ray& ray(const int star, const int slot) const { return m_rays[m_stars[star].first_ray + slot]; }
 
-  bool is_on_border(const int v) const { return m_layout.mesh().face(m_outgoing[v] ^ 1) == none; }
+  bool is_on_border(const int v) const { return m_layout.mesh().face(opposite(m_outgoing[v])) == none; }
 
   /// A halfedge that leaves v; on the border, the first one counter-clockwise.
   int outgoing(const int v) const { return m_outgoing[v]; }
@@ -105,11 +106,11 @@ public:
     const int target = ray(star, next_slot_clockwise(star, slot)).halfedge;
     int h = ray(star, slot).halfedge;
     if (mesh.face(h) == none)
-      h = mesh.next(h ^ 1);
+      h = mesh.next(opposite(h));
     for (bool is_full_turn = slot == 0; is_full_turn || h != target; is_full_turn = false) {
-      if (m_layout.is_cut(h >> 1) && m_layout.transition(h).scale() != 1)
+      if (m_layout.is_cut(edge_of(h)) && m_layout.transition(h).scale() != 1)
         function(m_layout.transition(h).scale());
-      h = mesh.next(h ^ 1);
+      h = mesh.next(opposite(h));
     }
   }
 
@@ -117,7 +118,7 @@ public:
   int corner_of_ray(const int star, const int slot) const
   {
     const int h = ray(star, slot).halfedge;
-    return m_layout.mesh().face(h) == none ? h ^ 1 : m_layout.mesh().previous(h);
+    return m_layout.mesh().face(h) == none ? opposite(h) : m_layout.mesh().previous(h);
   }
 
 private:
@@ -168,7 +169,7 @@ private:
       h = mesh.next_around_source(h);
     } while (h != m_outgoing[v] && mesh.face(h) != none);
     if (star.is_on_border) { // h is a border halfedge now: the last ray runs along it
-      const int last_corner = mesh.next(h ^ 1), w = mesh.previous(last_corner), apex = mesh.next(last_corner);
+      const int last_corner = mesh.next(opposite(h)), w = mesh.previous(last_corner), apex = mesh.next(last_corner);
       const CGAL::Sign u = sign_of_vector(w, apex, 0), v_sign = sign_of_vector(w, apex, 1);
       m_rays.push_back({h, u == CGAL::POSITIVE ? 0 : v_sign == CGAL::POSITIVE ? 1 : u == CGAL::NEGATIVE ? 2 : 3, true});
     }
