@@ -11,10 +11,9 @@
 #include <CGAL/T_splines/Tracing/Tracing_traits.h>
 #include <CGAL/T_splines/Tracing/internal/Cell_places.h>
 #include <CGAL/T_splines/Tracing/internal/Chart_points.h>
-#include <CGAL/T_splines/Tracing/internal/Motorcycle_cells.h>
+#include <CGAL/T_splines/Tracing/internal/Motorcycle_graph.h>
 #include <CGAL/T_splines/Tracing/internal/Motorcycle_graph_writer.h>
 #include <CGAL/T_splines/Tracing/internal/Motorcycle_tracer.h>
-#include <CGAL/T_splines/Tracing/internal/Trace_arcs.h>
 #include <CGAL/T_splines/Tracing/internal/Trace_geometry.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/graph_checks.h>
@@ -35,30 +34,29 @@ namespace T_splines {
 namespace internal {
 
 /// Writes what the caller asked for. \param cell_places where places are asked for
-template <typename TriangleMesh, typename FT, typename TracingTraits, typename Graph, typename NamedParameters>
-void write_motorcycle_graph_details(
-    const Seamless_map<TriangleMesh, FT>& map, const Motorcycle_tracer<FT, TracingTraits>& tracer,
-    const Trace_arcs<FT, TracingTraits>& arcs, const Motorcycle_cells<FT, TracingTraits>& cells,
-    const std::vector<std::array<double, 3>>& points, const std::optional<Cell_places<FT, TracingTraits>>& cell_places,
-    const Motorcycle_graph_writer<FT, TracingTraits, Graph>& writer, Graph& graph, const NamedParameters& np)
+template <typename TriangleMesh, typename FT, typename TracingTraits, typename FaceGraph, typename NamedParameters>
+void write_motorcycle_graph_details(const Mesh_indexing<TriangleMesh>& indexing,
+                                    const Trace_geometry<FT, TracingTraits>& geometry,
+                                    const std::optional<Cell_places<FT, TracingTraits>>& cell_places,
+                                    const Motorcycle_graph_writer<FT, TracingTraits, FaceGraph>& writer,
+                                    FaceGraph& face_graph, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const Trace_geometry<FT, TracingTraits> geometry(map.layout(), points, tracer.stars(), tracer.traces(), arcs, cells);
   writer.put_points(geometry, choose_parameter(get_parameter(np, np_tags::output_vertex_point_map),
-                                               get_property_map(CGAL::vertex_point, graph)));
+                                               get_property_map(CGAL::vertex_point, face_graph)));
   const auto polylines = get_parameter(np, np_tags::edge_polyline_map);
   if constexpr (!is_missing<decltype(polylines)>)
-    writer.put_polylines(geometry, graph, polylines);
+    writer.put_polylines(geometry, polylines);
   const auto origins = get_parameter(np, np_tags::vertex_origin_map);
   if constexpr (!is_missing<decltype(origins)>)
-    writer.put_origins(map.indexing(), tracer.stars(), origins);
+    writer.put_origins(indexing, origins);
   const auto anchors = get_parameter(np, np_tags::face_anchor_map);
   if constexpr (!is_missing<decltype(anchors)>)
-    writer.put_anchors(map.layout(), map.indexing(), tracer.traces(), arcs, anchors);
+    writer.put_anchors(indexing, anchors);
   const auto places = get_parameter(np, np_tags::vertex_place_map);
   if constexpr (!is_missing<decltype(places)>)
-    writer.put_places(map.layout(), map.indexing(), *cell_places, places);
+    writer.put_places(indexing, *cell_places, places);
 }
 
 } // namespace internal
@@ -162,23 +160,19 @@ Motorcycle_graph_report trace_motorcycle_graph(const Seamless_map<TriangleMesh, 
   report.status = tracer.trace(progress);
   report.motorcycles = tracer.number_of_motorcycles();
   report.seeds = tracer.number_of_seeds();
-  report.crossed_faces = tracer.traces().chords.size();
+  report.crossed_faces = tracer.number_of_crossed_faces();
   report.predicates = traits.statistics();
   if (!report.success())
     return report;
   progress.begin_stage("T-mesh");
-  const internal::Trace_arcs<FT, Tracing_traits> arcs(layout, tracer.stars(), tracer.traces(), traits, progress);
-  progress.progress(0.3);
-  if (!progress.go_on()) {
-    report.status = Motorcycle_graph_status::INTERRUPTED;
-    return report;
-  }
-  const internal::Motorcycle_cells<FT, Tracing_traits> cells(arcs, progress);
-  std::optional<internal::Cell_places<FT, Tracing_traits>> places;
+  const internal::Motorcycle_graph<FT, Tracing_traits> motorcycle_graph(layout, tracer.take_stars(),
+                                                                        tracer.take_traces(), traits, progress);
+  const auto& cells = motorcycle_graph.cells();
   progress.progress(0.5);
+  std::optional<internal::Cell_places<FT, Tracing_traits>> places;
   if constexpr (!internal::is_missing<decltype(get_parameter(np, np_tags::vertex_place_map))>)
     if (cells.is_t_mesh())
-      places.emplace(layout, tracer.stars(), tracer.traces(), arcs, cells, traits, progress);
+      places.emplace(motorcycle_graph, progress);
   progress.progress(0.8);
   if (!progress.go_on()) {
     report.status = Motorcycle_graph_status::INTERRUPTED;
@@ -190,9 +184,11 @@ Motorcycle_graph_report trace_motorcycle_graph(const Seamless_map<TriangleMesh, 
   }
   for (int h = 0; h < cells.number_of_halfedges(); ++h)
     report.t_joints += !cells.is_border(h) && !cells.halfedge(h).is_corner ? 1 : 0;
-  const internal::Motorcycle_graph_writer<FT, Tracing_traits, T_mesh_graph<TMesh>> writer(cells, view.graph());
+  const internal::Motorcycle_graph_writer<FT, Tracing_traits, T_mesh_graph<TMesh>> writer(motorcycle_graph,
+                                                                                          view.graph());
   writer.put_knots(view);
-  internal::write_motorcycle_graph_details(map, tracer, arcs, cells, points, places, writer, view.graph(), np);
+  const internal::Trace_geometry<FT, Tracing_traits> geometry(motorcycle_graph, points);
+  internal::write_motorcycle_graph_details(map.indexing(), geometry, places, writer, view.graph(), np);
   progress.progress(1);
   report.predicates = traits.statistics();
   return report;

@@ -6,10 +6,8 @@
 
 #include <CGAL/T_splines/Similarity_map/support/Seamless_layout.h>
 #include <CGAL/T_splines/Tracing/Tracing_traits.h>
-#include <CGAL/T_splines/Tracing/internal/Motorcycle_cells.h>
-#include <CGAL/T_splines/Tracing/internal/Motorcycle_traces.h>
-#include <CGAL/T_splines/Tracing/internal/Trace_arcs.h>
-#include <CGAL/T_splines/Tracing/internal/Vertex_stars.h>
+#include <CGAL/T_splines/Tracing/internal/Motorcycle_graph.h>
+#include <CGAL/T_splines/Tracing/internal/isoline_directions.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
 
@@ -30,11 +28,12 @@ namespace internal {
 /// crosses the cell does not change. Linear time; a similarity is composed once per cell and piece of a chart.
 template <typename FT, typename TracingTraits>
 class Cell_places {
-  using Layout = Seamless_layout<FT>;
-  using Traces = Motorcycle_traces<FT>;
-  using Stars = Vertex_stars<FT, TracingTraits>;
-  using Arcs = Trace_arcs<FT, TracingTraits>;
-  using Cells = Motorcycle_cells<FT, TracingTraits>;
+  using Graph = Motorcycle_graph<FT, TracingTraits>;
+  using Layout = typename Graph::Layout;
+  using Stars = typename Graph::Stars;
+  using Traces = typename Graph::Traces;
+  using Arcs = typename Graph::Arcs;
+  using Cells = typename Graph::Cells;
   using Chord = typename Traces::Chord;
 
 public:
@@ -53,21 +52,20 @@ public:
   };
 
   /// \param progress if it is interrupted, places are missing
-  Cell_places(const Layout& layout, const Stars& stars, const Traces& traces, const Arcs& arcs, const Cells& cells,
-              const TracingTraits& traits, Progress& progress)
-    : m_layout(layout),
-      m_mesh(layout.mesh()),
-      m_stars(stars),
-      m_traces(traces),
-      m_arcs(arcs),
-      m_cells(cells),
-      m_traits(traits),
-      m_places(layout.mesh().number_of_vertices()),
-      m_frames_beside(2 * arcs.number_of_segments(), none)
+  Cell_places(const Graph& graph, Progress& progress)
+    : m_layout(graph.layout()),
+      m_mesh(graph.layout().mesh()),
+      m_stars(graph.stars()),
+      m_traces(graph.traces()),
+      m_arcs(graph.arcs()),
+      m_cells(graph.cells()),
+      m_traits(graph.traits()),
+      m_places(m_mesh.number_of_vertices()),
+      m_frames_beside(2 * m_arcs.number_of_segments(), none)
   {
     place_vertices_of_traces(progress);
     for (int e = 0; e < m_mesh.number_of_edges() && progress.go_on_after(2); ++e)
-      if (traces.first_crossing_of_edge[e] != none)
+      if (m_traces.first_crossing_of_edge[e] != none)
         place_ends_of_crossed_edge(e);
     for (std::size_t i = 0; i < m_queue.size() && progress.go_on_after(10); ++i)
       place_neighbors(m_queue[i]);

@@ -55,7 +55,7 @@ public:
   /// \param progress if it is interrupted, this is no T-mesh
   Motorcycle_cells(const Arcs& arcs, Progress& progress) : m_arcs(arcs), m_parts(2 * arcs.arcs().size())
   {
-    if (!is_graph())
+    if (!progress.go_on() || !is_graph())
       return;
     find_vertices();
     for (std::size_t v = 0; v < m_nodes.size(); ++v)
@@ -75,6 +75,7 @@ public:
 
   int number_of_vertices() const { return static_cast<int>(m_nodes.size()); }
   int number_of_halfedges() const { return static_cast<int>(m_halfedges.size()); }
+  int number_of_edges() const { return number_of_halfedges() / 2; }
   int number_of_faces() const { return static_cast<int>(m_face_halfedge.size()); }
   int node_of_vertex(const int v) const { return m_nodes[v]; }
 

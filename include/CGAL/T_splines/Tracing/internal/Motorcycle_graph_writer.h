@@ -6,7 +6,7 @@
 
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
 #include <CGAL/T_splines/Tracing/internal/Cell_places.h>
-#include <CGAL/T_splines/Tracing/internal/Motorcycle_cells.h>
+#include <CGAL/T_splines/Tracing/internal/Motorcycle_graph.h>
 #include <CGAL/T_splines/Tracing/internal/Trace_geometry.h>
 #include <CGAL/T_splines/internal/Face_graph_writer.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
@@ -27,26 +27,30 @@ namespace T_splines {
 namespace internal {
 
 /// Writes the T-mesh of a motorcycle graph, and what lies where, into a face graph and property maps.
-/// \tparam Graph a model of `MutableFaceGraph`
-template <typename FT, typename TracingTraits, typename Graph>
+/// \tparam FaceGraph a model of `MutableFaceGraph`
+template <typename FT, typename TracingTraits, typename FaceGraph>
 class Motorcycle_graph_writer {
-  using Layout = Seamless_layout<FT>;
-  using Cells = Motorcycle_cells<FT, TracingTraits>;
-  using Arcs = Trace_arcs<FT, TracingTraits>;
+  using Graph = Motorcycle_graph<FT, TracingTraits>;
+  using Layout = typename Graph::Layout;
+  using Cells = typename Graph::Cells;
+  using Arcs = typename Graph::Arcs;
   using Places = Cell_places<FT, TracingTraits>;
   using Geometry = Trace_geometry<FT, TracingTraits>;
-  using Traces = Motorcycle_traces<FT>;
+  using Traces = typename Graph::Traces;
   using Point = typename Geometry::Point_3;
 
 public:
-  Motorcycle_graph_writer(const Cells& cells, Graph& graph)
-    : m_cells(cells),
-      m_writer(graph, cells.number_of_vertices(), cells.number_of_halfedges() / 2, cells.number_of_faces())
+  /// \param face_graph receives the cells as faces. \pre It is empty
+  Motorcycle_graph_writer(const Graph& graph, FaceGraph& face_graph)
+    : m_graph(graph),
+      m_cells(graph.cells()),
+      m_face_graph(face_graph),
+      m_writer(face_graph, m_cells.number_of_vertices(), m_cells.number_of_edges(), m_cells.number_of_faces())
   {
-    for (int h = 0; h < cells.number_of_halfedges(); ++h)
-      m_writer.join(h, cells.halfedge(h).next, cells.halfedge(h).target, cells.halfedge(h).face);
-    for (int f = 0; f < cells.number_of_faces(); ++f)
-      m_writer.set_halfedge_of_face(f, cells.halfedge_of_face(f));
+    for (int h = 0; h < m_cells.number_of_halfedges(); ++h)
+      m_writer.join(h, m_cells.halfedge(h).next, m_cells.halfedge(h).target, m_cells.halfedge(h).face);
+    for (int f = 0; f < m_cells.number_of_faces(); ++f)
+      m_writer.set_halfedge_of_face(f, m_cells.halfedge_of_face(f));
   }
 
   /// \param t_mesh a `T_mesh_view` of the graph
@@ -70,36 +74,35 @@ public:
   }
 
   template <typename EdgePolylineMap>
-  void put_polylines(const Geometry& geometry, const Graph& graph, EdgePolylineMap map) const
+  void put_polylines(const Geometry& geometry, EdgePolylineMap map) const
   {
     using Polyline = typename boost::property_traits<EdgePolylineMap>::value_type;
-    for (int h = 0; h < m_cells.number_of_halfedges(); h += 2) {
-      const auto e = edge(m_writer.halfedge(h), graph);
-      const bool is_same = halfedge(e, graph) == m_writer.halfedge(h);
+    for (int e = 0; e < m_cells.number_of_edges(); ++e) {
+      const int h = halfedge_of_edge(e);
+      const auto written = edge(m_writer.halfedge(h), m_face_graph);
+      const bool is_same = halfedge(written, m_face_graph) == m_writer.halfedge(h);
       Polyline polyline;
       for (const Point& p : geometry.polyline(is_same ? h : opposite(h)))
         polyline.push_back(to<typename Polyline::value_type>(p));
-      put(map, e, std::move(polyline));
+      put(map, written, std::move(polyline));
     }
   }
 
-  /// \param stars of the map's vertices
   template <typename TriangleMesh, typename VertexOriginMap>
-  void put_origins(const Mesh_indexing<TriangleMesh>& indexing, const Vertex_stars<FT, TracingTraits>& stars,
-                   VertexOriginMap map) const
+  void put_origins(const Mesh_indexing<TriangleMesh>& indexing, VertexOriginMap map) const
   {
     for (int v = 0; v < m_cells.number_of_vertices(); ++v) {
       const int node = m_cells.node_of_vertex(v);
       put(map, m_writer.vertex(v),
-          Traces::is_star(node) ? indexing.vertex(stars.star(node / 2).vertex)
+          Traces::is_star(node) ? indexing.vertex(m_graph.stars().star(node / 2).vertex)
                                 : boost::graph_traits<TriangleMesh>::null_vertex());
     }
   }
 
   template <typename TriangleMesh, typename VertexPlaceMap>
-  void put_places(const Layout& layout, const Mesh_indexing<TriangleMesh>& indexing, const Places& places,
-                  VertexPlaceMap map) const
+  void put_places(const Mesh_indexing<TriangleMesh>& indexing, const Places& places, VertexPlaceMap map) const
   {
+    const Layout& layout = m_graph.layout();
     using Place = typename boost::property_traits<VertexPlaceMap>::value_type;
     using Number = std::decay_t<decltype(Place().u)>;
     std::vector<int> base(places.number_of_frames(), Places::none);
@@ -132,13 +135,11 @@ public:
   }
 
   template <typename TriangleMesh, typename FaceAnchorMap>
-  void put_anchors(const Layout& layout, const Mesh_indexing<TriangleMesh>& indexing, const Traces& traces,
-                   const Arcs& arcs, FaceAnchorMap map) const
+  void put_anchors(const Mesh_indexing<TriangleMesh>& indexing, FaceAnchorMap map) const
   {
     using Anchor = typename boost::property_traits<FaceAnchorMap>::value_type;
     for (int f = 0; f < m_cells.number_of_faces(); ++f) {
-      const auto [triangle, to_face] =
-          anchor(layout, traces, arcs, m_cells.halfedge(m_cells.halfedge_of_face(f)).first_half_arc);
+      const auto [triangle, to_face] = anchor(m_cells.halfedge(m_cells.halfedge_of_face(f)).first_half_arc);
       Anchor result;
       result.triangle = indexing.face(triangle);
       result.to_face = to_face;
@@ -154,10 +155,11 @@ private:
   }
 
   /// The triangle on the left of the first chord of a half-arc.
-  std::pair<int, Similarity_2<FT>> anchor(const Layout& layout, const Traces& traces, const Arcs& arcs,
-                                          const int half_arc) const
+  std::pair<int, Similarity_2<FT>> anchor(const int half_arc) const
   {
-    const typename Arcs::Arc& arc = arcs.arcs()[edge_of(half_arc)];
+    const Layout& layout = m_graph.layout();
+    const Traces& traces = m_graph.traces();
+    const typename Arcs::Arc& arc = m_graph.arcs().arcs()[edge_of(half_arc)];
     const bool is_forward_arc = is_along_edge(half_arc);
     const typename Traces::Chord& chord =
         traces.chords[traces.traces[arc.trace].chords[is_forward_arc ? arc.first_chord : arc.last_chord]];
@@ -170,8 +172,10 @@ private:
             layout.is_cut(edge_of(h)) ? compose(frame, layout.transition(opposite(h))) : frame};
   }
 
+  const Graph& m_graph;
   const Cells& m_cells;
-  Face_graph_writer<Graph> m_writer;
+  const FaceGraph& m_face_graph;
+  Face_graph_writer<FaceGraph> m_writer;
 };
 
 } // namespace internal

@@ -46,6 +46,7 @@ namespace internal {
 template <typename FT, typename TracingTraits>
 class Motorcycle_tracer {
   using Layout = Seamless_layout<FT>;
+  using Stars = Vertex_stars<FT, TracingTraits>;
   using Traces = Motorcycle_traces<FT>;
   using Number = typename Traces::Number;
   using Chord = typename Traces::Chord;
@@ -95,10 +96,13 @@ public:
     return m_status;
   }
 
-  const Traces& traces() const { return m_traces; }
-  const Vertex_stars<FT, TracingTraits>& stars() const { return m_stars; }
-  std::size_t number_of_motorcycles() const { return m_traces.traces.size() - m_number_of_border_traces; }
+  std::size_t number_of_motorcycles() const { return m_motorcycles.size() - m_number_of_border_traces; }
   std::size_t number_of_seeds() const { return m_number_of_seeds; }
+  std::size_t number_of_crossed_faces() const { return m_traces.chords.size(); }
+
+  // For a `Motorcycle_graph`, once the tracing has come to its end.
+  Stars take_stars() { return std::move(m_stars); }
+  Traces take_traces() { return std::move(m_traces); }
 
 private:
   /// Where a motorcycle stands.
@@ -569,7 +573,7 @@ private:
   const Chart_points<FT> m_chart_points;
   const TracingTraits& m_traits;
   const Lines m_lines;
-  Vertex_stars<FT, TracingTraits> m_stars;
+  Stars m_stars;
   Traces m_traces;
   std::vector<Motorcycle> m_motorcycles;    // per trace
   std::vector<Ray_occupation> m_occupation; // per ray of the stars

@@ -4,12 +4,8 @@
 #ifndef CGAL_T_SPLINES_TRACING_INTERNAL_TRACE_GEOMETRY_H
 #define CGAL_T_SPLINES_TRACING_INTERNAL_TRACE_GEOMETRY_H
 
-#include <CGAL/T_splines/Similarity_map/support/Seamless_layout.h>
 #include <CGAL/T_splines/Tracing/internal/Chart_points.h>
-#include <CGAL/T_splines/Tracing/internal/Motorcycle_cells.h>
-#include <CGAL/T_splines/Tracing/internal/Motorcycle_traces.h>
-#include <CGAL/T_splines/Tracing/internal/Trace_arcs.h>
-#include <CGAL/T_splines/Tracing/internal/Vertex_stars.h>
+#include <CGAL/T_splines/Tracing/internal/Motorcycle_graph.h>
 #include <CGAL/T_splines/Tracing/internal/isoline_directions.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
 
@@ -23,22 +19,22 @@ namespace internal {
 /// Where nodes and edges of a motorcycle graph lie in space, in doubles.
 template <typename FT, typename TracingTraits>
 class Trace_geometry {
-  using Layout = Seamless_layout<FT>;
-  using Traces = Motorcycle_traces<FT>;
-  using Arcs = Trace_arcs<FT, TracingTraits>;
-  using Cells = Motorcycle_cells<FT, TracingTraits>;
+  using Graph = Motorcycle_graph<FT, TracingTraits>;
+  using Stars = typename Graph::Stars;
+  using Traces = typename Graph::Traces;
+  using Arcs = typename Graph::Arcs;
+  using Cells = typename Graph::Cells;
 
 public:
   using Point_3 = typename Chart_points<FT>::Point_3;
 
   /// \param points of the vertices of the map's mesh
-  Trace_geometry(const Layout& layout, const std::vector<Point_3>& points, const Vertex_stars<FT, TracingTraits>& stars,
-                 const Traces& traces, const Arcs& arcs, const Cells& cells)
-    : m_points(layout, points),
-      m_stars(stars),
-      m_traces(traces),
-      m_arcs(arcs),
-      m_cells(cells)
+  Trace_geometry(const Graph& graph, const std::vector<Point_3>& points)
+    : m_points(graph.layout(), points),
+      m_stars(graph.stars()),
+      m_traces(graph.traces()),
+      m_arcs(graph.arcs()),
+      m_cells(graph.cells())
   {
   }
 
@@ -87,7 +83,7 @@ private:
   }
 
   const Chart_points<FT> m_points;
-  const Vertex_stars<FT, TracingTraits>& m_stars;
+  const Stars& m_stars;
   const Traces& m_traces;
   const Arcs& m_arcs;
   const Cells& m_cells;
