@@ -7,6 +7,10 @@
 #include <CGAL/T_splines/Similarity_map/support/Seamless_layout.h>
 #include <CGAL/T_splines/Tracing/internal/Number_pool.h>
 #include <CGAL/T_splines/Tracing/internal/isoline_directions.h>
+#include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
+
+#include <CGAL/enum.h>
 
 #include <array>
 #include <vector>
@@ -75,6 +79,94 @@ public:
   static int crossing_node(const int crossing) { return 2 * crossing + 1; }
   static bool is_star(const int node) { return (node & 1) == 0; }
 
+  explicit Motorcycle_traces(const Triangulation_connectivity& mesh)
+    : first_chord_in_face(mesh.number_of_faces(), none),
+      first_chord_along_edge(mesh.number_of_edges(), none),
+      first_crossing_of_edge(mesh.number_of_edges(), none)
+  {
+  }
+
+  /// \param node, departure where the trace starts, and by which slot it leaves
+  int add_trace(const int node, const int departure)
+  {
+    traces.push_back({{{node, none, false, none, departure}}, {}});
+    return static_cast<int>(traces.size()) - 1;
+  }
+
+  /// \param h along which the chord runs, or through which it leaves its face; none if it ends inside
+  int add_chord(const int trace, const int face, const int direction, const Number& line, const bool is_along,
+                const int h)
+  {
+    const int c = static_cast<int>(chords.size());
+    Chord chord;
+    chord.trace = trace;
+    chord.ordinal = static_cast<int>(traces[trace].chords.size());
+    chord.face = face;
+    chord.direction = direction;
+    chord.line = line;
+    chord.is_along = is_along;
+    chord.halfedge = h;
+    int& first = is_along ? first_chord_along_edge[edge_of(h)] : first_chord_in_face[face];
+    chord.next_in_place = first;
+    first = c;
+    chords.push_back(chord);
+    traces[trace].chords.push_back(c);
+    return c;
+  }
+
+  /// The trace of a chord comes to a node at the end of the chord.
+  void add_arrival(const int chord, const int node, const int slot)
+  {
+    traces[chords[chord].trace].visits.push_back({node, chord, true, slot, none});
+  }
+
+  /// A chord leaves its face through the edge of its halfedge. \param line, direction as the other side sees them
+  int add_crossing(const int c, const Number& line, const int direction)
+  {
+    Chord& chord = chords[c];
+    const int here = side_of_edge(chord.halfedge), there = 1 - here;
+    int& first = first_crossing_of_edge[edge_of(chord.halfedge)];
+    Edge_crossing crossing = {c, first, none, {}, {}};
+    crossing.line[here] = chord.line;
+    crossing.direction[here] = chord.direction;
+    crossing.line[there] = line;
+    crossing.direction[there] = direction;
+    chord.crossing = first = static_cast<int>(crossings.size());
+    crossings.push_back(crossing);
+    return first;
+  }
+
+  /// The node at a place of a chord, made if it is new: the chord's trace visits it.
+  template <typename TracingTraits>
+  int node_on_chord(const int c, const Number& along, const TracingTraits& traits)
+  {
+    for (int n = chords[c].first_node; n != none; n = nodes[n].next_on_chord)
+      if (traits.compare(nodes[n].along, along) == CGAL::EQUAL)
+        return crossing_node(n);
+    const int n = static_cast<int>(nodes.size());
+    nodes.push_back({c, false, false, along, chords[c].first_node});
+    chords[c].first_node = n;
+    pass(c, crossing_node(n), false);
+    return crossing_node(n);
+  }
+
+  /// The node at a crossing of an edge, made if it is new. \param along in the chart of the crossing's chord
+  int node_on_edge(const int crossing, const Number& along, const bool is_anywhere)
+  {
+    Edge_crossing& record = crossings[crossing];
+    if (record.node == none) {
+      record.node = static_cast<int>(nodes.size());
+      nodes.push_back({record.chord, true, is_anywhere, along, none});
+      pass(record.chord, crossing_node(record.node), true);
+    }
+    Crossing_node& node = nodes[record.node];
+    if (node.is_anywhere && !is_anywhere) {
+      node.along = along;
+      node.is_anywhere = false;
+    }
+    return crossing_node(record.node);
+  }
+
   int add_coordinate(const Number& x)
   {
     coordinates.push_back(x);
@@ -90,6 +182,14 @@ public:
   std::vector<int> first_chord_along_edge; ///< per edge
   std::vector<int> first_crossing_of_edge; ///< per edge
   Number_pool<FT> numbers;
+
+private:
+  /// The trace of a chord goes straight through a node on it.
+  void pass(const int c, const int node, const bool is_at_end)
+  {
+    const Chord& chord = chords[c];
+    traces[chord.trace].visits.push_back({node, c, is_at_end, turned(chord.direction, 2), chord.direction});
+  }
 };
 
 } // namespace internal
