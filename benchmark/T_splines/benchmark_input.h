@@ -15,7 +15,6 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -89,9 +88,8 @@ inline bool read_input(const std::string& file, const Signature_source source, M
   const std::filesystem::path cone_file = std::filesystem::path(file).replace_extension(".cones");
   if (source == Signature_source::FIELD || !std::filesystem::exists(cone_file))
     return make_field_signature(file, mesh, signature);
-  std::ifstream input(cone_file);
   Cones cones;
-  const auto report = CGAL::T_splines::read_cones(input, mesh, cones);
+  const auto report = CGAL::T_splines::read_cones(cone_file.string(), mesh, cones);
   if (!report.success()) {
     std::cerr << cone_file.string() << ": " << message(report.status) << '\n';
     return false;

@@ -17,7 +17,6 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -50,10 +49,9 @@ int main(int argc, char* argv[])
 
   std::vector<Signature::Cone> cones;
   if (argc > 2) {
-    std::ifstream input(argv[2]);
-    const auto file = CGAL::T_splines::read_cones(input, mesh, cones);
+    const auto file = CGAL::T_splines::read_cones(argv[2], mesh, cones);
     if (!file.success()) {
-      std::cerr << argv[2] << ", line " << file.line << ": " << message(file.status) << "\n";
+      std::cerr << argv[2] << ": " << describe(file) << "\n";
       return EXIT_FAILURE;
     }
   }

@@ -28,6 +28,7 @@
 #include <CGAL/T_splines/IO/base64.h>
 #include <CGAL/T_splines/IO/read_cone_angles.h>
 #include <CGAL/T_splines/IO/read_cones.h>
+#include <CGAL/T_splines/IO/read_cross_field.h>
 #include <CGAL/T_splines/IO/read_crossfield.h>
 #include <CGAL/T_splines/IO/read_ffield.h>
 #include <CGAL/T_splines/IO/read_map_obj.h>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// check_map MESH MAP.obj [--cones FILE [K1,K2,...] | --field FILE.rawfield]
+// check_map MESH MAP.obj [--cones FILE [K1,K2,...] | --field FILE]
 //
 // Judges a seamless similarity map from the mesh, the map's file and the signature, with the checker of the tests. The signature is that of the
 // cones (and turning numbers of the loops), of the field, or else of the smoothest field.
@@ -12,14 +12,13 @@
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
 #include <CGAL/T_splines/IO/read_cones.h>
+#include <CGAL/T_splines/IO/read_cross_field.h>
 #include <CGAL/T_splines/IO/read_map_obj.h>
-#include <CGAL/T_splines/IO/read_rawfield.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <fstream>
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -36,9 +35,8 @@ using Signature = T::Holonomy_signature<Mesh>;
 bool find_signature(Mesh& mesh, const std::vector<std::string>& arguments, Signature& signature)
 {
   if (arguments.size() > 1 && arguments[0] == "--cones") {
-    std::ifstream input(arguments[1]);
     std::vector<std::pair<Mesh::Vertex_index, int>> cones;
-    if (!T::read_cones(input, mesh, cones).success() ||
+    if (!T::read_cones(arguments[1], mesh, cones).success() ||
         !T::holonomy_signature_of_cones(mesh, cones, signature).success())
       return false;
     std::istringstream numbers(arguments.size() > 2 ? arguments[2] : "");
@@ -49,8 +47,7 @@ bool find_signature(Mesh& mesh, const std::vector<std::string>& arguments, Signa
   }
   const auto field = mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:cross").first;
   if (arguments.size() > 1 && arguments[0] == "--field") {
-    std::ifstream input(arguments[1]);
-    if (!T::read_rawfield(input, mesh, field).success())
+    if (!T::read_cross_field(arguments[1], mesh, field).success())
       return false;
   }
   else if (!T::compute_smooth_cross_field(mesh, field).success())
@@ -63,7 +60,7 @@ bool find_signature(Mesh& mesh, const std::vector<std::string>& arguments, Signa
 int main(const int argc, const char* const argv[])
 {
   if (argc < 3) {
-    std::cerr << "usage: check_map MESH MAP.obj [--cones FILE [K1,K2,...] | --field FILE.rawfield]\n";
+    std::cerr << "usage: check_map MESH MAP.obj [--cones FILE [K1,K2,...] | --field FILE]\n";
     return 2;
   }
   Mesh mesh, refined;

@@ -6,17 +6,12 @@
 #include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
 #include <CGAL/T_splines/IO/read_cone_angles.h>
 #include <CGAL/T_splines/IO/read_cones.h>
-#include <CGAL/T_splines/IO/read_crossfield.h>
-#include <CGAL/T_splines/IO/read_ffield.h>
-#include <CGAL/T_splines/IO/read_rawfield.h>
-#include <CGAL/T_splines/IO/read_rosy.h>
+#include <CGAL/T_splines/IO/read_cross_field.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <ios>
 #include <string>
 #include <vector>
 
@@ -76,35 +71,18 @@ bool ends_with(const std::string& text, const std::string& end)
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// Reads a field file, by the parser of its extension, and takes the signature.
+/// Reads a field file and takes the signature.
 Failure signature_of_field_file(const std::string& filename, Mesh& mesh, Progress& progress,
                                 Approximation& approximation)
 {
   namespace T = CGAL::T_splines;
   const auto field = mesh.add_property_map<Face, Kernel::Vector_3>("f:cross").first;
-  auto matching = mesh.add_property_map<Halfedge, int>("h:matching", 0).first;
-  std::ifstream input(filename, std::ios::binary);
-  const Progress_handle visitor(progress);
-  const auto np = CGAL::parameters::visitor(visitor);
-  T::Field_file_report report;
-  if (ends_with(filename, ".rawfield"))
-    report = T::read_rawfield(input, mesh, field, np);
-  else if (ends_with(filename, ".crossfield"))
-    report = T::read_crossfield(input, mesh, field, np);
-  else if (ends_with(filename, ".rosy"))
-    report = T::read_rosy(input, mesh, field, np);
-  else if (ends_with(filename, ".ffield"))
-    report = T::read_ffield(input, mesh, field, matching, np);
-  else
-    return {filename + ": the file format is not known; fields are read from .rawfield, .crossfield, .rosy and .ffield",
-            true};
+  const auto matching = mesh.add_property_map<Halfedge, int>("h:matching", 0).first;
+  const auto np = T::parameters::halfedge_matching_map(matching).visitor(Progress_handle(progress));
+  const auto report = T::read_cross_field(filename, mesh, field, np);
   if (!report.success())
     return {filename + ": " + describe(report), true};
-  const bool has_signature =
-      ends_with(filename, ".ffield")
-          ? approximation.use_cross_field(field, T::parameters::halfedge_matching_map(matching).visitor(visitor))
-          : approximation.use_cross_field(field, CGAL::parameters::visitor(visitor));
-  return has_signature ? Failure() : failure_of(filename, approximation, true);
+  return approximation.use_cross_field(field, np) ? Failure() : failure_of(filename, approximation, true);
 }
 
 /// Reads a cone file, by the parser of its name, and completes the signature.
@@ -112,13 +90,12 @@ Failure signature_of_cone_file(const Options& options, Approximation& approximat
 {
   namespace T = CGAL::T_splines;
   const std::string& filename = options.cones;
-  std::ifstream input(filename, std::ios::binary);
   std::vector<Approximation::Signature::Cone> cones;
   T::Field_file_report file_report;
   if (ends_with(filename, ".cones"))
-    file_report = T::read_cones(input, approximation.mesh(), cones);
+    file_report = T::read_cones(filename, approximation.mesh(), cones);
   else if (ends_with(filename, "Th_hat"))
-    file_report = T::read_cone_angles(input, approximation.mesh(), cones);
+    file_report = T::read_cone_angles(filename, approximation.mesh(), cones);
   else
     return {filename + ": the file format is not known; cones are read from .cones and .Th_hat", true};
   if (!file_report.success())

@@ -14,7 +14,8 @@ namespace T_splines {
 /// How the reading of a file with a cross field or with cones ended.
 enum class Field_file_status {
   SUCCESS,               ///< the file was read
-  UNREADABLE,            ///< nothing can be read from the stream
+  UNREADABLE,            ///< there is no such file, or nothing can be read from it or from the stream
+  UNKNOWN_FORMAT,        ///< the file name does not end in one of the known extensions
   INVALID_MESH,          ///< the mesh that the file is for is refused: `check_triangle_mesh()` names the element
   TRUNCATED,             ///< the file ends too early
   SYNTAX_ERROR,          ///< `text` is not what the format asks for in this place
@@ -42,6 +43,8 @@ inline const char* message(const Field_file_status status)
   switch (status) {
   case Field_file_status::SUCCESS: return "the file was read";
   case Field_file_status::UNREADABLE: return "the file cannot be read";
+  case Field_file_status::UNKNOWN_FORMAT:
+    return "the file format is not known; fields are read from .rawfield, .crossfield, .rosy and .ffield";
   case Field_file_status::INVALID_MESH:
     return "the mesh that the file is for is not a triangle mesh with positive areas";
   case Field_file_status::TRUNCATED:
@@ -75,7 +78,7 @@ struct Field_file_report {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   Field_file_status status = Field_file_status::SUCCESS; ///< how it ended
-  std::size_t line = none;                               ///< where reading stopped
+  std::size_t line = none;                               ///< where reading stopped; `none` if no line is to blame
   std::size_t index = none;                              ///< of the face or vertex
   long long expected = 0;                                ///< what `status` compares with
   long long actual = 0;                                  ///< what was found
@@ -101,6 +104,7 @@ inline std::string describe(const Field_file_report& report)
   case Status::SUCCESS:
   case Status::INTERRUPTED:
   case Status::UNREADABLE:
+  case Status::UNKNOWN_FORMAT:
   case Status::INVALID_MESH: break;
   case Status::WRONG_SYMMETRY:
   case Status::WRONG_COUNT:

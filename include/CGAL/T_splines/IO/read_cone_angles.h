@@ -16,11 +16,50 @@
 #include <cmath>
 #include <cstddef>
 #include <istream>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace T_splines {
+
+namespace internal {
+
+template <typename FaceGraph>
+void parse_cone_angles(Field_file_parser& parser, const FaceGraph& mesh,
+                       std::vector<std::pair<typename boost::graph_traits<FaceGraph>::vertex_descriptor, int>>& cones)
+{
+  using vertex_descriptor = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
+  constexpr double tolerance = 1e-6, largest = 1e6;
+  const std::vector<vertex_descriptor> vertex_of_index(vertices(mesh).begin(), vertices(mesh).end());
+  std::vector<std::pair<vertex_descriptor, int>> result;
+  std::size_t index = 0;
+  for (; parser.has_token(); ++index) {
+    double angle = 0;
+    if (!parser.read_number(angle)) {
+      parser.at_index(index);
+      return;
+    }
+    if (index >= vertex_of_index.size())
+      continue; // only counted
+    const double turns = angle / (CGAL_PI / 2), k = std::round(turns);
+    if (std::abs(turns - k) > tolerance || std::abs(k) > largest)
+      parser.fail(Field_file_status::NOT_A_QUARTER_TURN, index);
+    else if (k < 1)
+      parser.fail(Field_file_status::NON_POSITIVE_CONE, index, 1, static_cast<long long>(k));
+    if (!parser.success())
+      return;
+    if (k != (CGAL::is_border(vertex_of_index[index], mesh) ? 2 : 4))
+      result.emplace_back(vertex_of_index[index], static_cast<int>(k));
+  }
+  if (parser.success() && index != vertex_of_index.size())
+    parser.fail(Field_file_status::WRONG_COUNT, Field_file_report::none, static_cast<long long>(vertex_of_index.size()),
+                static_cast<long long>(index));
+  if (parser.success())
+    cones.swap(result);
+}
+
+} // namespace internal
 
 /// \ingroup PkgTSplinesIO
 /// reads cones in the format `Th_hat` of ConformalIdealDelaunay and penner-optimization: one number per vertex, in the order
@@ -37,36 +76,25 @@ Field_file_report
 read_cone_angles(std::istream& input, const FaceGraph& mesh,
                  std::vector<std::pair<typename boost::graph_traits<FaceGraph>::vertex_descriptor, int>>& cones)
 {
-  using vertex_descriptor = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
-  constexpr double tolerance = 1e-6, largest = 1e6;
   internal::Progress progress; // such files are short
   internal::Field_file_parser parser(input, progress);
-  const std::vector<vertex_descriptor> vertex_of_index(vertices(mesh).begin(), vertices(mesh).end());
-  std::vector<std::pair<vertex_descriptor, int>> result;
-  std::size_t index = 0;
-  for (; parser.has_token(); ++index) {
-    double angle = 0;
-    if (!parser.read_number(angle)) {
-      parser.at_index(index);
-      return parser.report();
-    }
-    if (index >= vertex_of_index.size())
-      continue; // only counted
-    const double turns = angle / (CGAL_PI / 2), k = std::round(turns);
-    if (std::abs(turns - k) > tolerance || std::abs(k) > largest)
-      parser.fail(Field_file_status::NOT_A_QUARTER_TURN, index);
-    else if (k < 1)
-      parser.fail(Field_file_status::NON_POSITIVE_CONE, index, 1, static_cast<long long>(k));
-    if (!parser.success())
-      return parser.report();
-    if (k != (CGAL::is_border(vertex_of_index[index], mesh) ? 2 : 4))
-      result.emplace_back(vertex_of_index[index], static_cast<int>(k));
-  }
-  if (parser.success() && index != vertex_of_index.size())
-    parser.fail(Field_file_status::WRONG_COUNT, Field_file_report::none, static_cast<long long>(vertex_of_index.size()),
-                static_cast<long long>(index));
-  if (parser.success())
-    cones.swap(result);
+  internal::parse_cone_angles(parser, mesh, cones);
+  return parser.report();
+}
+
+/// \ingroup PkgTSplinesIO
+/// reads cones from a file of the format `Th_hat`.
+/// \param filename a file; its extension does not matter
+/// \param mesh, cones see the function that reads from a stream
+/// \return the same status, line and vertex.
+template <typename FaceGraph>
+Field_file_report
+read_cone_angles(const std::string& filename, const FaceGraph& mesh,
+                 std::vector<std::pair<typename boost::graph_traits<FaceGraph>::vertex_descriptor, int>>& cones)
+{
+  internal::Progress progress; // such files are short
+  internal::Field_file_parser parser(filename, progress);
+  internal::parse_cone_angles(parser, mesh, cones);
   return parser.report();
 }
 

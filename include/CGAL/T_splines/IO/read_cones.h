@@ -13,11 +13,46 @@
 #include <cstddef>
 #include <istream>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace T_splines {
+
+namespace internal {
+
+template <typename VertexListGraph>
+void parse_cones(Field_file_parser& parser, const VertexListGraph& mesh,
+                 std::vector<std::pair<typename boost::graph_traits<VertexListGraph>::vertex_descriptor, int>>& cones)
+{
+  using vertex_descriptor = typename boost::graph_traits<VertexListGraph>::vertex_descriptor;
+  const std::vector<vertex_descriptor> vertex_of_index(vertices(mesh).begin(), vertices(mesh).end());
+  std::vector<char> is_listed(vertex_of_index.size(), 0);
+  std::vector<std::pair<vertex_descriptor, int>> result;
+  const auto number_of_vertices = static_cast<long long>(vertex_of_index.size());
+  while (parser.has_token()) {
+    long long index = 0, k = 0;
+    if (!parser.read_integer(index) || !parser.read_integer(k))
+      return;
+    if (index < 0 || index >= number_of_vertices)
+      parser.fail(Field_file_status::INDEX_OUT_OF_RANGE, Field_file_report::none, number_of_vertices, index);
+    else if (k < 1)
+      parser.fail(Field_file_status::NON_POSITIVE_CONE, static_cast<std::size_t>(index), 1, k);
+    else if (k > (std::numeric_limits<int>::max)())
+      parser.fail(Field_file_status::SYNTAX_ERROR, static_cast<std::size_t>(index));
+    else if (is_listed[index])
+      parser.fail(Field_file_status::DUPLICATE_CONE, static_cast<std::size_t>(index));
+    if (!parser.success())
+      return;
+    is_listed[index] = 1;
+    result.emplace_back(vertex_of_index[index], static_cast<int>(k));
+  }
+  if (parser.success())
+    cones.swap(result);
+}
+
+} // namespace internal
 
 /// \ingroup PkgTSplinesIO
 /// reads cones in the format `.cones`: one line `vertex k` for each, with the index of the vertex, from 0 in the order of
@@ -33,32 +68,25 @@ Field_file_report
 read_cones(std::istream& input, const VertexListGraph& mesh,
            std::vector<std::pair<typename boost::graph_traits<VertexListGraph>::vertex_descriptor, int>>& cones)
 {
-  using vertex_descriptor = typename boost::graph_traits<VertexListGraph>::vertex_descriptor;
   internal::Progress progress; // such files are short
   internal::Field_file_parser parser(input, progress);
-  const std::vector<vertex_descriptor> vertex_of_index(vertices(mesh).begin(), vertices(mesh).end());
-  std::vector<char> is_listed(vertex_of_index.size(), 0);
-  std::vector<std::pair<vertex_descriptor, int>> result;
-  const auto number_of_vertices = static_cast<long long>(vertex_of_index.size());
-  while (parser.has_token()) {
-    long long index = 0, k = 0;
-    if (!parser.read_integer(index) || !parser.read_integer(k))
-      return parser.report();
-    if (index < 0 || index >= number_of_vertices)
-      parser.fail(Field_file_status::INDEX_OUT_OF_RANGE, Field_file_report::none, number_of_vertices, index);
-    else if (k < 1)
-      parser.fail(Field_file_status::NON_POSITIVE_CONE, static_cast<std::size_t>(index), 1, k);
-    else if (k > (std::numeric_limits<int>::max)())
-      parser.fail(Field_file_status::SYNTAX_ERROR, static_cast<std::size_t>(index));
-    else if (is_listed[index])
-      parser.fail(Field_file_status::DUPLICATE_CONE, static_cast<std::size_t>(index));
-    if (!parser.success())
-      return parser.report();
-    is_listed[index] = 1;
-    result.emplace_back(vertex_of_index[index], static_cast<int>(k));
-  }
-  if (parser.success())
-    cones.swap(result);
+  internal::parse_cones(parser, mesh, cones);
+  return parser.report();
+}
+
+/// \ingroup PkgTSplinesIO
+/// reads cones from a file of the format `.cones`.
+/// \param filename a file; its extension does not matter
+/// \param mesh, cones see the function that reads from a stream
+/// \return the same status, line and vertex.
+template <typename VertexListGraph>
+Field_file_report
+read_cones(const std::string& filename, const VertexListGraph& mesh,
+           std::vector<std::pair<typename boost::graph_traits<VertexListGraph>::vertex_descriptor, int>>& cones)
+{
+  internal::Progress progress; // such files are short
+  internal::Field_file_parser parser(filename, progress);
+  internal::parse_cones(parser, mesh, cones);
   return parser.report();
 }
 

@@ -7,11 +7,11 @@
 #include <CGAL/T_splines/IO/Field_file_report.h>
 #include <CGAL/T_splines/IO/internal/Field_file_parser.h>
 #include <CGAL/T_splines/IO/internal/Field_of_vectors.h>
-#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <istream>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -32,7 +32,7 @@ bool parse_crossfield(Field_file_parser& parser, Field_of_vectors<TriangleMesh>&
     if (!field.set_cross(f, vectors, true, parser))
       return false;
   }
-  return true;
+  return parser.read_end();
 }
 
 } // namespace internal
@@ -76,16 +76,20 @@ template <typename TriangleMesh, typename CrossFieldMap,
 Field_file_report read_crossfield(std::istream& input, const TriangleMesh& mesh, CrossFieldMap cross_field,
                                   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const auto visitor = internal::progress_visitor(np);
-  internal::Progress progress(visitor);
-  progress.begin_stage("reading");
-  internal::Field_file_parser parser(input, progress);
-  if (!parser.success() || !internal::check_mesh_of_field(mesh, np, parser))
-    return parser.report();
-  internal::Field_of_vectors<TriangleMesh> field(mesh, np);
-  if (internal::parse_crossfield(parser, field) && parser.read_end() && parser.go_on())
-    field.write(cross_field);
-  return parser.report();
+  return internal::read_field(input, internal::parse_crossfield<TriangleMesh>, mesh, cross_field, np);
+}
+
+/// \ingroup PkgTSplinesIO
+/// reads a cross field from a file of the format `.crossfield`.
+/// \param filename a file; its extension does not matter
+/// \param mesh, cross_field, np see the function that reads from a stream
+/// \return what is wrong with the file, and in which line and face.
+template <typename TriangleMesh, typename CrossFieldMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Field_file_report read_crossfield(const std::string& filename, const TriangleMesh& mesh, CrossFieldMap cross_field,
+                                  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  return internal::read_field(filename, internal::parse_crossfield<TriangleMesh>, mesh, cross_field, np);
 }
 
 } // namespace T_splines

@@ -7,14 +7,15 @@
 #include <CGAL/T_splines/IO/Field_file_report.h>
 #include <CGAL/T_splines/IO/internal/Field_file_parser.h>
 #include <CGAL/T_splines/IO/internal/Field_of_vectors.h>
-#include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <cmath>
 #include <cstddef>
 #include <istream>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,7 +38,7 @@ inline bool skip_target_frames(Field_file_parser& parser, const int number_of_fa
     return parser.fail(Field_file_status::WRONG_COUNT, Field_file_report::none, number_of_faces, count);
   if (!parser.read_token(token))
     return false;
-  parser.skip_line();
+  parser.skip_rest_of_line();
   constexpr int numbers_per_facet = 8;
   for (int f = 0; f < number_of_faces; ++f) {
     double number = 0;
@@ -100,10 +101,11 @@ inline int halfedge_to_first_vertex(const Triangulation_connectivity& mesh, cons
 /// reads, per facet, its vertices i, j, k and the matchings of the halfedges that point to them. The angle of the facet is relative
 /// to the halfedge that points to i.
 template <typename TriangleMesh>
-bool parse_ffield(Field_file_parser& parser, Field_of_vectors<TriangleMesh>& field, std::vector<int>& matching)
+bool parse_ffield(Field_file_parser& parser, Field_of_vectors<TriangleMesh>& field)
 {
   const Triangulation_connectivity& mesh = field.connectivity();
   std::vector<double> angle(field.number_of_faces());
+  std::vector<int> matching(mesh.number_of_halfedges(), 0);
   std::string_view name;
   if (!skip_target_frames(parser, field.number_of_faces()) || !read_crossfield_angles(parser, angle, name))
     return false;
@@ -138,6 +140,7 @@ bool parse_ffield(Field_file_parser& parser, Field_of_vectors<TriangleMesh>& fie
         mesh.face(mesh.opposite(h)) != Triangulation_connectivity::null &&
         (matching[h] + matching[mesh.opposite(h)]) % 4 != 0)
       return parser.fail(Field_file_status::INCONSISTENT_MATCHING, mesh.face(h));
+  field.set_matchings(std::move(matching));
   return true;
 }
 
@@ -188,20 +191,21 @@ Field_file_report read_ffield(std::istream& input, const TriangleMesh& mesh, Cro
                               HalfedgeMatchingMap matching,
                               const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const auto visitor = internal::progress_visitor(np);
-  internal::Progress progress(visitor);
-  progress.begin_stage("reading");
-  internal::Field_file_parser parser(input, progress);
-  if (!parser.success() || !internal::check_mesh_of_field(mesh, np, parser))
-    return parser.report();
-  internal::Field_of_vectors<TriangleMesh> field(mesh, np);
-  std::vector<int> quarter_turns(field.connectivity().number_of_halfedges(), 0);
-  if (internal::parse_ffield(parser, field, quarter_turns) && parser.go_on()) {
-    field.write(cross_field);
-    for (int h = 0; h < field.connectivity().number_of_halfedges(); ++h)
-      put(matching, field.indexing().halfedge(h), quarter_turns[h]);
-  }
-  return parser.report();
+  return internal::read_field(input, internal::parse_ffield<TriangleMesh>, mesh, cross_field, matching, np);
+}
+
+/// \ingroup PkgTSplinesIO
+/// reads a cross field with matchings from a file of the format `.ffield`.
+/// \param filename a file; its extension does not matter
+/// \param mesh, cross_field, matching, np see the function that reads from a stream
+/// \return what is wrong with the file, and in which line and face.
+template <typename TriangleMesh, typename CrossFieldMap, typename HalfedgeMatchingMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Field_file_report read_ffield(const std::string& filename, const TriangleMesh& mesh, CrossFieldMap cross_field,
+                              HalfedgeMatchingMap matching,
+                              const NamedParameters& np = CGAL::parameters::default_values())
+{
+  return internal::read_field(filename, internal::parse_ffield<TriangleMesh>, mesh, cross_field, matching, np);
 }
 
 } // namespace T_splines

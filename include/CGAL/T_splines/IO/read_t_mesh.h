@@ -26,7 +26,6 @@
 #include <array>
 #include <cstddef>
 #include <istream>
-#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -135,11 +134,9 @@ template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_n
 T_mesh_reading_report read_t_mesh(std::istream& in, TMesh&& t_mesh,
                                   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  if (in.good()) {
-    const std::string content((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-    if (!in.bad())
-      return internal::read_t_mesh_text(content, t_mesh, np);
-  }
+  std::string content;
+  if (internal::read_whole_stream(in, content))
+    return internal::read_t_mesh_text(content, t_mesh, np);
   T_mesh_reading_report report;
   report.status = T_mesh_reading_status::CANNOT_OPEN;
   return report;

@@ -5,44 +5,36 @@
 #define CGAL_T_SPLINES_IO_INTERNAL_FIELD_FILE_PARSER_H
 
 #include <CGAL/T_splines/IO/Field_file_report.h>
+#include <CGAL/T_splines/IO/internal/Text_scanner.h>
+#include <CGAL/T_splines/IO/internal/read_whole_file.h>
 #include <CGAL/T_splines/internal/Progress.h>
 
-#include <charconv>
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <istream>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// Reads a text token by token, knows the line of each, and keeps the report. After the first failure nothing succeeds.
-///
-/// Comments run from `#` to the end of the line.
+/// Reads a file with a field or with cones token by token, and keeps the report. After the first failure nothing succeeds.
 class Field_file_parser {
 public:
   /// \param progress asked now and then; it must outlive this
   Field_file_parser(std::istream& input, Progress& progress) : m_progress(progress)
   {
-    if (!input.good() || input.rdbuf() == nullptr) {
-      fail(Field_file_status::UNREADABLE);
-      return;
-    }
-    // The buffer itself neither sets flags of the stream nor throws because of them.
-    constexpr std::streamsize size_of_block = 1 << 16;
-    std::streamsize number_read = 0;
-    do {
-      const std::size_t size = m_text.size();
-      m_text.resize(size + size_of_block);
-      number_read = input.rdbuf()->sgetn(&m_text[size], size_of_block);
-      m_text.resize(size + static_cast<std::size_t>(number_read));
-    } while (number_read == size_of_block && m_progress.go_on_after(size_of_block / 256));
-    go_on();
+    begin(read_whole_stream(input, m_text));
   }
+
+  Field_file_parser(const std::string& filename, Progress& progress) : m_progress(progress)
+  {
+    begin(read_whole_file(filename, m_text));
+  }
+
+  Field_file_parser(const Field_file_parser&) = delete; // the scanner refers to the text
+  Field_file_parser& operator=(const Field_file_parser&) = delete;
 
   bool success() const { return m_report.success(); }
 
@@ -54,7 +46,9 @@ public:
   /// the report, with the line of the last token.
   const Field_file_report& report()
   {
-    m_report.line = m_line;
+    const bool is_about_text =
+        m_report.status != Field_file_status::UNREADABLE && m_report.status != Field_file_status::INVALID_MESH;
+    m_report.line = is_about_text ? (std::max)(m_scanner.line(), first_line) : Field_file_report::none;
     return m_report;
   }
 
@@ -73,10 +67,8 @@ public:
 
   bool fail_with_text(const Field_file_status status, const std::string_view text)
   {
-    constexpr std::size_t longest = 40;
     if (success())
-      for (const char c : text.substr(0, longest))
-        m_report.text += c >= ' ' && c <= '~' ? c : '?';
+      m_report.text = quotable(text);
     return fail(status);
   }
 
@@ -88,23 +80,13 @@ public:
   }
 
   /// whether there is a further token.
-  bool has_token()
-  {
-    skip_blanks();
-    return success() && m_position < m_text.size();
-  }
+  bool has_token() { return success() && m_scanner.has_token_over_lines(); }
 
   bool read_token(std::string_view& token)
   {
     if (!m_progress.go_on_after(2))
       return fail(Field_file_status::INTERRUPTED);
-    if (!has_token())
-      return fail(Field_file_status::TRUNCATED);
-    const std::size_t begin = m_position;
-    while (m_position < m_text.size() && !is_blank(m_text[m_position]) && m_text[m_position] != '#')
-      ++m_position;
-    token = std::string_view(m_text).substr(begin, m_position - begin);
-    return true;
+    return (success() && m_scanner.next_token_over_lines(token)) || fail(Field_file_status::TRUNCATED);
   }
 
   bool read_number(double& value)
@@ -112,32 +94,21 @@ public:
     std::string_view token;
     if (!read_token(token))
       return false;
-    const std::string_view digits = without_plus(token);
-    const std::from_chars_result result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (result.ptr != digits.data() + digits.size() || result.ec == std::errc::invalid_argument)
-      return fail_with_text(Field_file_status::SYNTAX_ERROR, token);
-    if (result.ec == std::errc::result_out_of_range)
-      value = std::strtod(std::string(digits).c_str(), nullptr); // what underflows is rounded
-    return std::isfinite(value) || fail_with_text(Field_file_status::NON_FINITE_NUMBER, token);
+    const Token_kind kind = parse_number(token, value);
+    return kind == Token_kind::FINITE_NUMBER ||
+           fail_with_text(kind == Token_kind::NO_NUMBER ? Field_file_status::SYNTAX_ERROR
+                                                        : Field_file_status::NON_FINITE_NUMBER,
+                          token);
   }
 
   bool read_integer(long long& value)
   {
     std::string_view token;
-    if (!read_token(token))
-      return false;
-    const std::string_view digits = without_plus(token);
-    const std::from_chars_result result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    return (result.ec == std::errc() && result.ptr == digits.data() + digits.size()) ||
-           fail_with_text(Field_file_status::SYNTAX_ERROR, token);
+    return read_token(token) && (parse_integer(token, value) || fail_with_text(Field_file_status::SYNTAX_ERROR, token));
   }
 
-  /// moves to the end of the current line: the next token is of a later one.
-  void skip_line()
-  {
-    while (m_position < m_text.size() && m_text[m_position] != '\n')
-      ++m_position;
-  }
+  /// passes over what is left of the line of the last token.
+  void skip_rest_of_line() { m_scanner.skip_rest_of_line(); }
 
   /// takes the end of the file, with nothing more in front of it.
   bool read_end()
@@ -150,33 +121,19 @@ public:
   }
 
 private:
-  static bool is_blank(const char c)
-  {
-    return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r' || c == '\n';
-  }
+  static constexpr std::size_t first_line = 1;
 
-  static std::string_view without_plus(const std::string_view token)
+  void begin(const bool is_readable)
   {
-    return token.substr(token.size() > 1 && token[0] == '+' && token[1] != '-' ? 1 : 0);
-  }
-
-  void skip_blanks()
-  {
-    while (m_position < m_text.size() && (is_blank(m_text[m_position]) || m_text[m_position] == '#')) {
-      if (m_text[m_position] == '#')
-        skip_line();
-      else {
-        if (m_text[m_position] == '\n')
-          ++m_line;
-        ++m_position;
-      }
-    }
+    if (!is_readable)
+      fail(Field_file_status::UNREADABLE);
+    m_scanner = Text_scanner(without_byte_order_mark(m_text));
+    go_on();
   }
 
   Progress& m_progress;
   std::string m_text;
-  std::size_t m_position = 0;
-  std::size_t m_line = 1;
+  Text_scanner m_scanner{{}};
   Field_file_report m_report;
 };
 

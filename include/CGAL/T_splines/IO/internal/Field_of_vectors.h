@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/IO/Field_file_report.h>
 #include <CGAL/T_splines/IO/internal/Field_file_parser.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
+#include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/named_parameters.h>
 
@@ -20,7 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -83,9 +84,12 @@ public:
 
   void set_angle(const int f, const double angle_in_face) { m_angle[f] = angle_in_face; }
 
+  /// takes the matchings of the file, per halfedge. Without them they are those by the closest rotation.
+  void set_matchings(std::vector<int> matchings) { m_matchings = std::move(matchings); }
+
   /// writes unit vectors to a property map.
   template <typename CrossFieldMap>
-  void write(CrossFieldMap& cross_field) const
+  void write_directions(CrossFieldMap& cross_field) const
   {
     using Value = typename boost::property_traits<CrossFieldMap>::value_type;
     for (int f = 0; f < number_of_faces(); ++f) {
@@ -95,7 +99,28 @@ public:
     }
   }
 
+  template <typename HalfedgeMatchingMap>
+  void write_matchings(const HalfedgeMatchingMap& matching) const
+  {
+    for (int h = 0; h < m_connectivity.number_of_halfedges(); ++h)
+      put(matching, m_indexing.halfedge(h), m_matchings.empty() ? closest_matching(h) : m_matchings[h]);
+  }
+
 private:
+  // As `holonomy_signature_of_cross_field()` describes it.
+  int closest_matching(const int h) const
+  {
+    const int g = m_connectivity.opposite(h);
+    if (m_connectivity.face(h) == Triangulation_connectivity::null ||
+        m_connectivity.face(g) == Triangulation_connectivity::null)
+      return 0;
+    if (g < h)
+      return -closest_matching(g); // where two are equally close, too
+    const double from_other_face = m_angle[m_connectivity.face(g)] - m_geometry.direction(m_connectivity, g) + CGAL_PI;
+    const double in_face = m_angle[m_connectivity.face(h)] - m_geometry.direction(m_connectivity, h);
+    return static_cast<int>(std::lround((from_other_face - in_face) / (CGAL_PI / 2)));
+  }
+
   // Whether no half plane is free of directions, with a little to spare.
   bool go_around()
   {
@@ -111,6 +136,7 @@ private:
   Triangle_geometry m_geometry;
   std::vector<double> m_angle;
   std::vector<double> m_directions; // of one face
+  std::vector<int> m_matchings;
 };
 
 /// checks the mesh that a field file is for.
@@ -146,6 +172,41 @@ inline bool read_field_header(Field_file_parser& parser, const long long symmetr
     return parser.fail(Field_file_status::WRONG_SYMMETRY, Field_file_report::none, symmetry, actual_symmetry);
   return count == number_of_faces ||
          parser.fail(Field_file_status::WRONG_COUNT, Field_file_report::none, number_of_faces, count);
+}
+
+/// reads a format: \return `false` after a report
+template <typename TriangleMesh>
+using Field_format = bool (*)(Field_file_parser& parser, Field_of_vectors<TriangleMesh>& field);
+
+/// reads a field: what the public readers have in common.
+/// \param source an `std::istream` or the name of a file
+/// \param matching receives the matchings, unless it is `CGAL::internal_np::Param_not_found`
+template <typename Source, typename TriangleMesh, typename CrossFieldMap, typename HalfedgeMatchingMap,
+          typename NamedParameters>
+Field_file_report read_field(Source& source, const Field_format<TriangleMesh> parse, const TriangleMesh& mesh,
+                             CrossFieldMap& cross_field, const HalfedgeMatchingMap& matching, const NamedParameters& np)
+{
+  const auto visitor = progress_visitor(np);
+  Progress progress(visitor);
+  progress.begin_stage("reading");
+  Field_file_parser parser(source, progress);
+  if (!parser.success() || !check_mesh_of_field(mesh, np, parser))
+    return parser.report();
+  Field_of_vectors<TriangleMesh> field(mesh, np);
+  if (parse(parser, field) && parser.go_on()) {
+    field.write_directions(cross_field);
+    if constexpr (!is_missing<HalfedgeMatchingMap>)
+      field.write_matchings(matching);
+  }
+  return parser.report();
+}
+
+/// The same, for formats without matchings.
+template <typename Source, typename TriangleMesh, typename CrossFieldMap, typename NamedParameters>
+Field_file_report read_field(Source& source, const Field_format<TriangleMesh> parse, const TriangleMesh& mesh,
+                             CrossFieldMap& cross_field, const NamedParameters& np)
+{
+  return read_field(source, parse, mesh, cross_field, CGAL::internal_np::Param_not_found(), np);
 }
 
 } // namespace internal

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/IO/Mesh_reading_report.h>
 #include <CGAL/T_splines/IO/internal/Binary_scanner.h>
 #include <CGAL/T_splines/IO/internal/Text_scanner.h>
+#include <CGAL/T_splines/IO/internal/report_at.h>
 
 #include <array>
 #include <cmath>

@@ -4,13 +4,13 @@
 #ifndef CGAL_T_SPLINES_IO_INTERNAL_TEXT_SCANNER_H
 #define CGAL_T_SPLINES_IO_INTERNAL_TEXT_SCANNER_H
 
-#include <CGAL/T_splines/IO/Mesh_reading_report.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
+#include <limits>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -32,6 +32,7 @@ public:
 
   explicit Text_scanner(const std::string_view text, const Backslash backslash = Backslash::IS_TEXT)
     : m_rest(text),
+      m_has_carriage_returns(text.find('\r') != std::string_view::npos),
       m_has_continued_lines(backslash == Backslash::CONTINUES_LINE)
   {
   }
@@ -80,10 +81,15 @@ public:
   /// Whether this line has another token.
   bool has_token() const
   {
+    if (!m_has_continued_lines)
+      return !m_line_rest.empty(); // it does not end with blanks
     Text_scanner copy(*this);
     std::string_view token;
     return copy.next_token(token);
   }
+
+  /// Whether a token follows, in this line or in a later one, to which it moves.
+  bool has_token_over_lines() { return has_token() || next_line(); }
 
   /// What follows this line, line feed excluded.
   std::string_view text_after_line() const { return m_rest; }
@@ -118,15 +124,25 @@ private:
       m_line_rest.remove_prefix(1);
   }
 
+  // Searching for one character is several times as fast as for one of two.
+  std::size_t end_of_line() const
+  {
+    std::size_t end = 0;
+    if (!m_has_carriage_returns)
+      end = m_rest.find('\n');
+    else
+      while (end < m_rest.size() && m_rest[end] != '\n' && m_rest[end] != '\r')
+        ++end;
+    return (std::min)(end, m_rest.size());
+  }
+
   void take_line()
   {
     ++m_line;
-    const std::size_t end = m_rest.find_first_of("\r\n");
+    const std::size_t end = end_of_line();
     m_line_rest = m_rest.substr(0, end);
-    if (end == std::string_view::npos)
-      m_rest = {};
-    else
-      m_rest.remove_prefix(end + (m_rest.substr(end, 2) == "\r\n" ? 2 : 1));
+    const std::size_t length_of_end = m_rest.substr(end, 2) == "\r\n" ? 2 : 1;
+    m_rest.remove_prefix((std::min)(m_rest.size(), end + length_of_end));
     m_line_rest = m_line_rest.substr(0, m_line_rest.find('#'));
     while (!m_line_rest.empty() && is_blank(m_line_rest.back()))
       m_line_rest.remove_suffix(1);
@@ -134,7 +150,7 @@ private:
 
   std::string_view m_rest, m_line_rest;
   std::size_t m_line = 0;
-  bool m_has_continued_lines;
+  bool m_has_carriage_returns, m_has_continued_lines;
 };
 
 /// Whether a token is a keyword, given in lower case, in upper or lower case.
@@ -157,74 +173,49 @@ inline bool has_mark_of_utf_16(const std::string_view text)
   return text.substr(0, 2) == "\xFF\xFE" || text.substr(0, 2) == "\xFE\xFF";
 }
 
+/// A number without the plus sign that `std::from_chars()` does not know.
+inline std::string_view without_plus_sign(const std::string_view token)
+{
+  return token.substr(token.size() > 1 && token[0] == '+' && token[1] != '-' ? 1 : 0);
+}
+
 /// A whole token as integer. \return `false` if it is not one or exceeds the range of the type.
 template <typename Integer>
 bool parse_integer(const std::string_view token, Integer& value)
 {
-  const std::string_view digits = token.substr(!token.empty() && token.front() == '+' ? 1 : 0);
+  const std::string_view digits = without_plus_sign(token);
   const std::from_chars_result result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   return result.ec == std::errc() && result.ptr == digits.data() + digits.size();
 }
 
-/// A whole token as the nearest double. \return `SUCCESS`, or `SYNTAX_ERROR` if it is not a number, or
-/// `NON_FINITE_COORDINATE` if it is NaN, infinite or beyond the range of double. What underflows is rounded.
-inline Mesh_reading_status parse_coordinate(const std::string_view token, double& value)
+/// What a token is, where a number is expected.
+enum class Token_kind { FINITE_NUMBER, NON_FINITE_NUMBER, NO_NUMBER };
+
+/// A whole token as the nearest double, whatever the locale. NaN, infinity and what is beyond the range of double are not
+/// finite; what underflows is rounded.
+inline Token_kind parse_number(const std::string_view token, double& value)
 {
-  const std::string_view digits = token.substr(token.size() > 1 && token.front() == '+' && token[1] != '-' ? 1 : 0);
+  const std::string_view digits = without_plus_sign(token);
   const std::from_chars_result result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (result.ptr != digits.data() + digits.size() || result.ec == std::errc::invalid_argument)
-    return Mesh_reading_status::SYNTAX_ERROR;
-  if (result.ec == std::errc::result_out_of_range)
-    value = std::strtod(std::string(digits).c_str(), nullptr);
-  return std::isfinite(value) ? Mesh_reading_status::SUCCESS : Mesh_reading_status::NON_FINITE_COORDINATE;
+    return Token_kind::NO_NUMBER;
+  if (result.ec == std::errc::result_out_of_range) { // too large or too small; that is all it says
+    std::istringstream stream{std::string(digits)};
+    stream.imbue(std::locale::classic());
+    if (!(stream >> value))
+      value = std::copysign(std::numeric_limits<double>::infinity(), value);
+  }
+  return std::isfinite(value) ? Token_kind::FINITE_NUMBER : Token_kind::NON_FINITE_NUMBER;
 }
 
-/// A report about this line of the text.
-inline Mesh_reading_report report_at(const Text_scanner& scanner, const Mesh_reading_status status,
-                                     const std::string_view text = {})
+/// The beginning of a token, as a message can quote it.
+inline std::string quotable(const std::string_view token)
 {
   constexpr std::size_t longest = 40;
-  Mesh_reading_report report;
-  report.status = status;
-  report.line = scanner.line();
-  for (const char c : text.substr(0, longest))
-    report.text += (c >= ' ' && c <= '~') ? c : '?';
-  if (text.size() > longest)
-    report.text += "...";
-  return report;
-}
-
-/// A report about this line that says what is wrong with it.
-inline Mesh_reading_report report_syntax(const Text_scanner& scanner, const char* detail,
-                                         const std::string_view text = {})
-{
-  Mesh_reading_report report = report_at(scanner, Mesh_reading_status::SYNTAX_ERROR, text);
-  report.detail = detail;
-  return report;
-}
-
-/// A report about a line that lacks a token: the last line of a file was cut off, another one is wrong.
-inline Mesh_reading_report report_missing_token(const Text_scanner& scanner, const char* detail)
-{
-  return scanner.is_last_line() ? report_at(scanner, Mesh_reading_status::TRUNCATED) : report_syntax(scanner, detail);
-}
-
-/// What `read_coordinates()` says if there are too few.
-constexpr const char* missing_coordinate = "a coordinate is missing";
-
-/// Reads the coordinates `first` ... `last` from the tokens of this line.
-template <typename Iterator>
-Mesh_reading_report read_coordinates(Text_scanner& scanner, const Iterator first, const Iterator last)
-{
-  std::string_view token;
-  for (Iterator position = first; position != last; ++position) {
-    if (!scanner.next_token(token))
-      return report_missing_token(scanner, missing_coordinate);
-    const Mesh_reading_status status = parse_coordinate(token, *position);
-    if (status != Mesh_reading_status::SUCCESS)
-      return report_at(scanner, status, token);
-  }
-  return Mesh_reading_report();
+  std::string text;
+  for (const char c : token.substr(0, longest))
+    text += c >= ' ' && c <= '~' ? c : '?';
+  return token.size() > longest ? text + "..." : text;
 }
 
 } // namespace internal

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/IO/internal/Polygon_soup.h>
 #include <CGAL/T_splines/IO/internal/Text_scanner.h>
+#include <CGAL/T_splines/IO/internal/report_at.h>
 #include <CGAL/T_splines/internal/Progress.h>
 
 #include <algorithm>
@@ -43,7 +44,7 @@ public:
       report = parse_vertex();
     for (std::size_t f = 0; report.success() && f < m_number_of_faces && m_progress.go_on_after(work_per_line); ++f)
       report = parse_face();
-    if (report.success() && (m_is_free ? m_scanner.has_token() || m_scanner.next_line() : m_scanner.next_line()))
+    if (report.success() && (m_is_free ? m_scanner.has_token_over_lines() : m_scanner.next_line()))
       return report_syntax(m_scanner, "more lines than the header announces");
     return report;
   }
@@ -111,7 +112,7 @@ private:
   /// \return `false` if the file ends before the record begins.
   bool begin_record()
   {
-    const bool has_record = (m_is_free && m_scanner.has_token()) || m_scanner.next_line();
+    const bool has_record = m_is_free ? m_scanner.has_token_over_lines() : m_scanner.next_line();
     m_first_line = m_scanner.line();
     return has_record;
   }

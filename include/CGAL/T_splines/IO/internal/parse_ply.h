@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/IO/internal/Ply_header.h>
 #include <CGAL/T_splines/IO/internal/Polygon_soup.h>
 #include <CGAL/T_splines/IO/internal/Text_scanner.h>
+#include <CGAL/T_splines/IO/internal/report_at.h>
 #include <CGAL/T_splines/internal/Progress.h>
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/IO/internal/Binary_scanner.h>
 #include <CGAL/T_splines/IO/internal/Polygon_soup.h>
 #include <CGAL/T_splines/IO/internal/Text_scanner.h>
+#include <CGAL/T_splines/IO/internal/report_at.h>
 #include <CGAL/T_splines/internal/Progress.h>
 
 #include <boost/functional/hash.hpp>

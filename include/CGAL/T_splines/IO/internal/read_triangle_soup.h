@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/IO/internal/Boundary_sides.h>
 #include <CGAL/T_splines/IO/internal/Polygon_soup.h>
 #include <CGAL/T_splines/IO/internal/check_polygon_soup.h>
+#include <CGAL/T_splines/IO/internal/lowercase_extension.h>
 #include <CGAL/T_splines/IO/internal/merge_boundaries.h>
 #include <CGAL/T_splines/IO/internal/parse_obj.h>
 #include <CGAL/T_splines/IO/internal/parse_off.h>
@@ -21,11 +22,9 @@
 #include <CGAL/T_splines/internal/Progress.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <filesystem>
 #include <set>
 #include <sstream>
 #include <string>
@@ -35,14 +34,6 @@
 namespace CGAL {
 namespace T_splines {
 namespace internal {
-
-inline std::string lowercase_extension(const std::string& filename)
-{
-  std::string extension = std::filesystem::path(filename).extension().string();
-  for (char& c : extension)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 /// The report if the visitor stopped the work.
 inline Mesh_reading_report interrupted_reading()
