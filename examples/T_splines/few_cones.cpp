@@ -19,10 +19,10 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <string>
+#include <system_error>
 
 namespace T = CGAL::T_splines;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -72,11 +72,8 @@ int main(int argc, char* argv[])
   std::cout << report.number_of_splits << " splits, " << report.number_of_merges << " merges; the energy went from "
             << report.energy_before << " to " << report.energy << "\n";
 
-  std::ofstream output(cones_file);
-  T::write_cones(output, mesh, signature);
-  output.close();
-  if (!output) {
-    std::cerr << cones_file << " cannot be written\n";
+  if (const std::error_code error = T::write_cones(cones_file, mesh, signature)) {
+    std::cerr << cones_file << ": " << error.message() << "\n";
     return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;

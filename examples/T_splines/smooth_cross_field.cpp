@@ -14,9 +14,9 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <string>
+#include <system_error>
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -45,11 +45,8 @@ int main(int argc, char* argv[])
   }
   std::cout << num_faces(mesh) << " crosses, " << report.number_of_singularities << " singularities\n";
 
-  std::ofstream output(field_file);
-  CGAL::T_splines::write_rawfield(output, mesh, cross_field);
-  output.close();
-  if (!output) {
-    std::cerr << field_file << " cannot be written\n";
+  if (const std::error_code error = CGAL::T_splines::write_rawfield(field_file, mesh, cross_field)) {
+    std::cerr << field_file << ": " << error.message() << "\n";
     return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;

@@ -5,9 +5,11 @@
 #include <CGAL/T_splines/IO/write_cones.h>
 
 #include "Cross_field/test_meshes.h"
+#include "IO/Temporary_directory.h"
 
 #include <catch2/catch.hpp>
 
+#include <ios>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -31,9 +33,17 @@ TEMPLATE_TEST_CASE("cones are written by index and read back", "", test::Surface
   signature.set_quarter_turns(v[20], 5);
   signature.set_quarter_turns(v[3], 3);
   std::stringstream stream;
-  ts::write_cones(stream, mesh, signature);
+  CHECK_FALSE(ts::write_cones(stream, mesh, signature));
   CHECK(stream.str() == "3 3\n20 5\n");
   Cones<TestType> cones;
   REQUIRE(ts::read_cones(stream, mesh, cones).success());
   CHECK(cones == Cones<TestType>{{v[3], 3}, {v[20], 5}});
+  stream.setstate(std::ios::badbit);
+  CHECK(ts::write_cones(stream, mesh, signature) == std::io_errc::stream);
+
+  const Temporary_directory directory;
+  REQUIRE_FALSE(ts::write_cones(directory.file("a.cones"), mesh, signature));
+  REQUIRE(ts::read_cones(directory.file("a.cones"), mesh, cones).success());
+  CHECK(cones == Cones<TestType>{{v[3], 3}, {v[20], 5}});
+  CHECK(ts::write_cones(directory.file("none/a.cones"), mesh, signature));
 }

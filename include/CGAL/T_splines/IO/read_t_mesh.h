@@ -51,7 +51,7 @@ T_mesh_reading_report read_t_mesh_text(const std::string_view content, TMesh& t_
   progress.begin_stage("reading");
   progress.go_on();
   T_mesh_soup soup;
-  const T_mesh_reading_report parsed = T_mesh_ply_parser(content, soup, progress).parse();
+  const T_mesh_reading_report parsed = T_mesh_ply_parser(content, soup).parse(progress);
   T_mesh_reading_report interrupted;
   interrupted.status = T_mesh_reading_status::INTERRUPTED;
   progress.progress(0.5);

@@ -11,13 +11,10 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/number_type_basic.h>
 
 #include <cstddef>
-#include <ios>
 #include <ostream>
 #include <string>
-#include <string_view>
 #include <system_error>
 
 namespace CGAL {
@@ -25,17 +22,15 @@ namespace T_splines {
 
 namespace internal {
 
-/// Hands the text of the file to `sink`, a function object that takes a `std::string_view`, piece by piece.
-template <typename Sink, typename FaceGraph, typename HalfedgeUVMap, typename VertexPointMap>
-void format_map_obj(Sink& sink, const FaceGraph& mesh, const HalfedgeUVMap uv_map,
+template <typename FaceGraph, typename HalfedgeUVMap, typename VertexPointMap>
+void format_map_obj(Text_writer& writer, const FaceGraph& mesh, const HalfedgeUVMap uv_map,
                     const VertexPointMap vertex_point_map)
 {
   const Mesh_indexing<FaceGraph> indexing(mesh);
   const Uv_vertex_table table(indexing, uv_map);
-  Text_writer<Sink> writer(sink);
   for (int v = 0; v < indexing.number_of_vertices(); ++v) {
-    const auto& p = get(vertex_point_map, indexing.vertex(v));
-    writer << "v " << CGAL::to_double(p.x()) << " " << CGAL::to_double(p.y()) << " " << CGAL::to_double(p.z()) << "\n";
+    writer << "v ";
+    writer.write_coordinates(get(vertex_point_map, indexing.vertex(v))) << "\n";
   }
   for (std::size_t i = 0; i < table.size(); ++i)
     writer << "vt " << table.uv(i)[0] << " " << table.uv(i)[1] << "\n";
@@ -83,13 +78,11 @@ std::error_code write_map_obj(std::ostream& out, const FaceGraph& mesh, const Ha
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const auto sink = [&out](const std::string_view text) {
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  };
-  internal::format_map_obj(sink, mesh, uv_map,
+  internal::Text_writer writer(out);
+  internal::format_map_obj(writer, mesh, uv_map,
                            choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                             get_const_property_map(CGAL::vertex_point, mesh)));
-  return out.good() ? std::error_code() : std::make_error_code(std::io_errc::stream);
+  return writer.finish();
 }
 
 /// \ingroup PkgTSplinesIO

@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <ios>
 #include <iterator>
 #include <ostream>
 #include <string>
@@ -83,9 +82,8 @@ private:
 };
 
 /// \param longest_list decides of what type the lengths of the lists are: some programs read only those of one byte
-template <typename Writer>
-void format_t_mesh_header(Writer& writer, const std::size_t number_of_vertices, const std::size_t number_of_faces,
-                          const std::size_t longest_list)
+inline void format_t_mesh_header(Text_writer& writer, const std::size_t number_of_vertices,
+                                 const std::size_t number_of_faces, const std::size_t longest_list)
 {
   const std::string_view list = longest_list < 256 ? "\nproperty list uchar " : "\nproperty list int ";
   writer << "ply\nformat ascii 1.0\ncomment T-mesh with halfedge knots\nelement vertex " << number_of_vertices
@@ -94,15 +92,13 @@ void format_t_mesh_header(Writer& writer, const std::size_t number_of_vertices, 
          << list << "int opposite\nend_header\n";
 }
 
-/// Hands the text of the file to `sink`, a function object that takes a `std::string_view`, piece by piece.
 /// \param t_mesh a `T_mesh_view`
-template <typename Sink, typename TMesh, typename VertexPointMap, typename VertexWeightMap>
-void format_t_mesh(Sink& sink, const TMesh& t_mesh, const VertexPointMap vertex_point_map,
+template <typename TMesh, typename VertexPointMap, typename VertexWeightMap>
+void format_t_mesh(Text_writer& writer, const TMesh& t_mesh, const VertexPointMap vertex_point_map,
                    const VertexWeightMap vertex_weight_map)
 {
   const auto& graph = t_mesh.graph();
   const T_mesh_numbering<TMesh> numbering(t_mesh);
-  Text_writer<Sink> writer(sink);
   const auto vertex_range = vertices(graph);
   const auto length_of_lists = [&graph](const auto first) {
     const auto halfedges = CGAL::halfedges_around_face(first, graph);
@@ -114,9 +110,7 @@ void format_t_mesh(Sink& sink, const TMesh& t_mesh, const VertexPointMap vertex_
   format_t_mesh_header(writer, static_cast<std::size_t>(std::distance(vertex_range.first, vertex_range.second)),
                        numbering.first_halfedges().size(), longest_list);
   for (const auto v : CGAL::make_range(vertex_range)) {
-    const auto& p = get(vertex_point_map, v);
-    writer << CGAL::to_double(p.x()) << " " << CGAL::to_double(p.y()) << " " << CGAL::to_double(p.z()) << " "
-           << CGAL::to_double(get(vertex_weight_map, v)) << "\n";
+    writer.write_coordinates(get(vertex_point_map, v)) << " " << CGAL::to_double(get(vertex_weight_map, v)) << "\n";
   }
   for (const auto first : numbering.first_halfedges()) {
     const auto halfedges = CGAL::halfedges_around_face(first, graph);
@@ -142,12 +136,12 @@ void format_t_mesh(Sink& sink, const TMesh& t_mesh, const VertexPointMap vertex_
   }
 }
 
-template <typename Sink, typename TMesh, typename NamedParameters>
-void format_t_mesh(Sink& sink, const TMesh& t_mesh, const NamedParameters& np)
+template <typename TMesh, typename NamedParameters>
+void format_t_mesh(Text_writer& writer, const TMesh& t_mesh, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  format_t_mesh(sink, Const_T_mesh_view_of<TMesh>(t_mesh),
+  format_t_mesh(writer, Const_T_mesh_view_of<TMesh>(t_mesh),
                 choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                  get_const_property_map(CGAL::vertex_point, t_mesh.graph())),
                 choose_parameter(get_parameter(np, np_tags::vertex_weight_map), own_weights(t_mesh)));
@@ -200,11 +194,9 @@ template <typename TMesh, typename NamedParameters = CGAL::parameters::Default_n
 std::error_code write_t_mesh(std::ostream& out, const TMesh& t_mesh,
                              const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const auto sink = [&out](const std::string_view text) {
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  };
-  internal::format_t_mesh(sink, t_mesh, np);
-  return out.good() ? std::error_code() : std::make_error_code(std::io_errc::stream);
+  internal::Text_writer writer(out);
+  internal::format_t_mesh(writer, t_mesh, np);
+  return writer.finish();
 }
 
 /// \ingroup PkgTSplinesIO

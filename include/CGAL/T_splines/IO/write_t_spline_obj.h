@@ -9,14 +9,10 @@
 #include <CGAL/T_splines/Spline/Tessellation_resolution.h>
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
 
-#include <CGAL/number_type_basic.h>
-
 #include <array>
 #include <cstddef>
-#include <ios>
 #include <ostream>
 #include <string>
-#include <string_view>
 #include <system_error>
 
 namespace CGAL {
@@ -24,20 +20,18 @@ namespace T_splines {
 
 namespace internal {
 
-/// Hands the text of the file to `sink`, a function object that takes a `std::string_view`, piece by piece.
-template <typename Sink, typename Surface>
-void format_t_spline_obj(Sink& sink, const Surface& surface, const Tessellation_resolution& resolution)
+template <typename Surface>
+void format_t_spline_obj(Text_writer& writer, const Surface& surface, const Tessellation_resolution& resolution)
 {
   const auto tessellation = tessellate_parameter_domain(surface, resolution);
-  Text_writer<Sink> writer(sink);
-  const auto write = [&writer](const std::string_view keyword, const auto& p) {
-    writer << keyword << CGAL::to_double(p.x()) << " " << CGAL::to_double(p.y()) << " " << CGAL::to_double(p.z())
-           << "\n";
-  };
-  for (const auto& place : tessellation.places)
-    write("v ", surface.position(place.face, place.u, place.v));
-  for (const auto& place : tessellation.places)
-    write("vn ", surface.unit_normal(place.face, place.u, place.v));
+  for (const auto& place : tessellation.places) {
+    writer << "v ";
+    writer.write_coordinates(surface.position(place.face, place.u, place.v)) << "\n";
+  }
+  for (const auto& place : tessellation.places) {
+    writer << "vn ";
+    writer.write_coordinates(surface.unit_normal(place.face, place.u, place.v)) << "\n";
+  }
   for (const std::array<std::size_t, 3>& triangle : tessellation.triangles) {
     writer << "f";
     for (const std::size_t i : triangle)
@@ -62,11 +56,9 @@ template <typename Surface>
 std::error_code write_t_spline_obj(std::ostream& out, const Surface& surface,
                                    const Tessellation_resolution& resolution = {})
 {
-  const auto sink = [&out](const std::string_view text) {
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  };
-  internal::format_t_spline_obj(sink, surface, resolution);
-  return out.good() ? std::error_code() : std::make_error_code(std::io_errc::stream);
+  internal::Text_writer writer(out);
+  internal::format_t_spline_obj(writer, surface, resolution);
+  return writer.finish();
 }
 
 /// \ingroup PkgTSplinesIO

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/IO/Atomic_file.h>
 #include <CGAL/T_splines/IO/base64.h>
+#include <CGAL/T_splines/IO/internal/Text_writer.h>
 #include <CGAL/T_splines/Spline/Tessellation_resolution.h>
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
 
@@ -14,7 +15,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <ios>
 #include <ostream>
 #include <string>
 #include <system_error>
@@ -38,10 +38,11 @@ std::error_code write_t_spline_ply(std::ostream& out, const Surface& surface,
                                    const Tessellation_resolution& resolution = {})
 {
   const auto tessellation = tessellate_parameter_domain(surface, resolution);
-  out << "ply\nformat binary_little_endian 1.0\nelement vertex " << tessellation.places.size()
-      << "\nproperty double x\nproperty double y\nproperty double z\nproperty float nx\nproperty float ny\n"
-         "property float nz\nelement face "
-      << tessellation.triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+  internal::Text_writer writer(out);
+  writer << "ply\nformat binary_little_endian 1.0\nelement vertex " << tessellation.places.size()
+         << "\nproperty double x\nproperty double y\nproperty double z\nproperty float nx\nproperty float ny\n"
+            "property float nz\nelement face "
+         << tessellation.triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
   std::vector<double> point(3);
   std::vector<float> normal(3);
   for (const auto& place : tessellation.places) {
@@ -51,15 +52,15 @@ std::error_code write_t_spline_ply(std::ostream& out, const Surface& surface,
       point[k] = CGAL::to_double(p[k]);
       normal[k] = static_cast<float>(CGAL::to_double(n[k]));
     }
-    out << little_endian_bytes(point) << little_endian_bytes(normal);
+    writer << little_endian_bytes(point) << little_endian_bytes(normal);
   }
   std::vector<std::int32_t> corners(3);
   for (const std::array<std::size_t, 3>& triangle : tessellation.triangles) {
     for (int k = 0; k < 3; ++k)
       corners[k] = static_cast<std::int32_t>(triangle[k]);
-    out << '\3' << little_endian_bytes(corners);
+    writer << "\3" << little_endian_bytes(corners);
   }
-  return out.good() ? std::error_code() : std::make_error_code(std::io_errc::stream);
+  return writer.finish();
 }
 
 /// \ingroup PkgTSplinesIO

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/IO/Atomic_file.h>
 #include <CGAL/T_splines/IO/base64.h>
+#include <CGAL/T_splines/IO/internal/Text_writer.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -14,7 +15,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <ios>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -27,13 +27,12 @@ namespace T_splines {
 namespace internal {
 
 /// Writes a data array of a VTK XML file: base64 of its size in bytes and of the numbers.
-template <typename Sink, typename Number>
-void format_vtk_array(Sink& sink, const std::string& attributes, const std::vector<Number>& numbers)
+template <typename Number>
+void format_vtk_array(Text_writer& writer, const std::string_view attributes, const std::vector<Number>& numbers)
 {
   const std::vector<std::uint64_t> size{numbers.size() * sizeof(Number)};
-  sink("<DataArray " + attributes + " format=\"binary\">\n");
-  sink(base64(little_endian_bytes(size) + little_endian_bytes(numbers)));
-  sink("\n</DataArray>\n");
+  writer << "<DataArray " << attributes << " format=\"binary\">\n"
+         << base64(little_endian_bytes(size) + little_endian_bytes(numbers)) << "\n</DataArray>\n";
 }
 
 /// The places (i, j) of the control points of a bicubic patch in the order of VTK: corners, sides, inside.
@@ -58,9 +57,8 @@ inline const std::array<std::array<int, 2>, 16>& vtk_bezier_order()
   return order;
 }
 
-/// Hands the file to `sink`, a function object that takes a `std::string_view`, piece by piece.
-template <typename Sink, typename CompiledTSpline>
-void format_t_spline_vtu(Sink& sink, const CompiledTSpline& surface)
+template <typename CompiledTSpline>
+void format_t_spline_vtu(Text_writer& writer, const CompiledTSpline& surface)
 {
   const std::size_t n = surface.number_of_patches();
   std::vector<double> points, weights;
@@ -85,21 +83,20 @@ void format_t_spline_vtu(Sink& sink, const CompiledTSpline& surface)
     faces.push_back(face_number);
     caps.push_back(domain.is_cap);
   }
-  sink("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-       "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-       std::to_string(16 * n) + "\" NumberOfCells=\"" + std::to_string(n) +
-       "\">\n<PointData RationalWeights=\"RationalWeights\">\n");
-  format_vtk_array(sink, "type=\"Float64\" Name=\"RationalWeights\"", weights);
-  sink("</PointData>\n<CellData>\n");
-  format_vtk_array(sink, "type=\"Int64\" Name=\"face\"", faces);
-  format_vtk_array(sink, "type=\"UInt8\" Name=\"is_cap\"", caps);
-  sink("</CellData>\n<Points>\n");
-  format_vtk_array(sink, "type=\"Float64\" NumberOfComponents=\"3\"", points);
-  sink("</Points>\n<Cells>\n");
-  format_vtk_array(sink, "type=\"Int64\" Name=\"connectivity\"", connectivity);
-  format_vtk_array(sink, "type=\"Int64\" Name=\"offsets\"", offsets);
-  format_vtk_array(sink, "type=\"UInt8\" Name=\"types\"", types);
-  sink("</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+  writer << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+            "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\""
+         << 16 * n << "\" NumberOfCells=\"" << n << "\">\n<PointData RationalWeights=\"RationalWeights\">\n";
+  format_vtk_array(writer, "type=\"Float64\" Name=\"RationalWeights\"", weights);
+  writer << "</PointData>\n<CellData>\n";
+  format_vtk_array(writer, "type=\"Int64\" Name=\"face\"", faces);
+  format_vtk_array(writer, "type=\"UInt8\" Name=\"is_cap\"", caps);
+  writer << "</CellData>\n<Points>\n";
+  format_vtk_array(writer, "type=\"Float64\" NumberOfComponents=\"3\"", points);
+  writer << "</Points>\n<Cells>\n";
+  format_vtk_array(writer, "type=\"Int64\" Name=\"connectivity\"", connectivity);
+  format_vtk_array(writer, "type=\"Int64\" Name=\"offsets\"", offsets);
+  format_vtk_array(writer, "type=\"UInt8\" Name=\"types\"", types);
+  writer << "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
 } // namespace internal
@@ -117,11 +114,9 @@ void format_t_spline_vtu(Sink& sink, const CompiledTSpline& surface)
 template <typename CompiledTSpline>
 std::error_code write_t_spline_vtu(std::ostream& out, const CompiledTSpline& surface)
 {
-  const auto sink = [&out](const std::string_view text) {
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  };
-  internal::format_t_spline_vtu(sink, surface);
-  return out.good() ? std::error_code() : std::make_error_code(std::io_errc::stream);
+  internal::Text_writer writer(out);
+  internal::format_t_spline_vtu(writer, surface);
+  return writer.finish();
 }
 
 /// \ingroup PkgTSplinesIO

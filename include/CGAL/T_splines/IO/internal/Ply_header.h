@@ -26,6 +26,9 @@ struct Ply_property {
   std::string_view name;
   Ply_type type = Ply_type::NONE;
   Ply_type size_type = Ply_type::NONE; ///< of a list; NONE: no list
+  int role = 0;                        ///< what the parser of the rows takes it for
+
+  bool is_list() const { return size_type != Ply_type::NONE; }
 };
 
 struct Ply_element {
@@ -104,6 +107,16 @@ public:
   }
 
   const std::vector<Ply_element>& elements() const { return m_elements; }
+
+  /// \param role_of a function of the element and the property
+  template <typename RoleOf>
+  void set_roles(const RoleOf& role_of)
+  {
+    for (Ply_element& element : m_elements)
+      for (Ply_property& property : element.properties)
+        property.role = static_cast<int>(role_of(element, property));
+  }
+
   bool is_text() const { return m_is_text; }
   Byte_order byte_order() const { return m_order; }
 

@@ -4,24 +4,26 @@
 #ifndef CGAL_T_SPLINES_IO_INTERNAL_TEXT_WRITER_H
 #define CGAL_T_SPLINES_IO_INTERNAL_TEXT_WRITER_H
 
+#include <CGAL/number_utils.h>
+
 #include <array>
 #include <charconv>
 #include <cstddef>
+#include <ios>
+#include <ostream>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// Puts text together and hands it on in large pieces. Numbers are written in the shortest way that reads back as the same
-/// double, whatever the locale.
-/// \tparam Sink a function object that takes a `std::string_view`.
-template <typename Sink>
+/// Puts a file together and hands it on to a stream in large pieces. Numbers are written in the shortest way that reads back
+/// as the same double, whatever the locale and the flags of the stream.
 class Text_writer {
 public:
-  explicit Text_writer(Sink& sink) : m_sink(sink) { m_buffer.reserve(capacity + 64); }
-  ~Text_writer() { flush(); }
+  explicit Text_writer(std::ostream& out) : m_out(out) { m_buffer.reserve(capacity + 64); }
 
   Text_writer(const Text_writer&) = delete;
   Text_writer& operator=(const Text_writer&) = delete;
@@ -34,27 +36,41 @@ public:
     return *this;
   }
 
-  Text_writer& operator<<(const double number) { return append_number(number); }
-  Text_writer& operator<<(const std::size_t number) { return append_number(number); }
+  Text_writer& operator<<(const double number) { return write_number(number); }
+  Text_writer& operator<<(const std::size_t number) { return write_number(number); }
 
-  void flush()
+  /// Writes the coordinates of a point or vector in space, with blanks between them.
+  template <typename Point_3>
+  Text_writer& write_coordinates(const Point_3& p)
   {
-    m_sink(std::string_view(m_buffer));
-    m_buffer.clear();
+    return *this << CGAL::to_double(p.x()) << " " << CGAL::to_double(p.y()) << " " << CGAL::to_double(p.z());
+  }
+
+  /// Hands on what is left. \return `std::io_errc::stream` if the stream has failed
+  std::error_code finish()
+  {
+    flush();
+    return m_out.good() ? std::error_code() : std::make_error_code(std::io_errc::stream);
   }
 
 private:
   static constexpr std::size_t capacity = 1 << 16;
 
+  void flush()
+  {
+    m_out.write(m_buffer.data(), static_cast<std::streamsize>(m_buffer.size()));
+    m_buffer.clear();
+  }
+
   template <typename Number>
-  Text_writer& append_number(const Number number)
+  Text_writer& write_number(const Number number)
   {
     std::array<char, 32> digits;
     const std::to_chars_result result = std::to_chars(digits.data(), digits.data() + digits.size(), number);
     return *this << std::string_view(digits.data(), static_cast<std::size_t>(result.ptr - digits.data()));
   }
 
-  Sink& m_sink;
+  std::ostream& m_out;
   std::string m_buffer;
 };
 
