@@ -16,7 +16,7 @@
 #include <CGAL/T_splines/Spline/T_spline_surface.h>
 #include <CGAL/T_splines/Spline/fit_T_spline.h>
 #include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>
-#include <CGAL/T_splines/T_mesh/Carried_points.h>
+#include <CGAL/T_splines/T_mesh/Carried_samples.h>
 #include <CGAL/T_splines/T_mesh/Surface_face_size.h>
 #include <CGAL/T_splines/T_mesh/T_mesh.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
@@ -52,7 +52,7 @@ namespace T = CGAL::T_splines;
 using Point_3 = Kernel::Point_3;
 using FT = CGAL::Exact_rational;
 using Sample = T::T_mesh_sample<Mesh, Kernel>;
-using Points = T::Carried_points<Mesh, double, Kernel::Weighted_point_3>;
+using Samples = T::Carried_samples<Mesh, Sample>;
 using Exact_t_mesh = T::T_mesh<Point_3, FT>;
 using Surface = T::T_spline_surface<T::Const_T_mesh_view_of<Exact_t_mesh>, Mesh::Property_map<Vertex, Point_3>>;
 using Control_points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
@@ -74,7 +74,9 @@ const char* const usage =
 
 struct Problem {
   Exact_t_mesh t_mesh;
-  std::vector<Sample> samples;
+  Samples carried_samples;
+
+  const std::vector<Sample>& samples() const { return carried_samples.samples(); }
 };
 
 /// A sphere with bumps, of genus 0 and without symmetries.
@@ -111,7 +113,7 @@ bool make_map(const std::string& name, Mesh& mesh, Mesh& refined, std::optional<
 
 /// The T-mesh of a map, regular and with faces of the given size on the surface, and its samples.
 bool make_problem(const std::string& name, const T::Seamless_map<Mesh, FT>& map, const std::size_t number_of_samples,
-                  const double face_size, const bool is_compatible, Problem& p)
+                  const double face_size, Problem& p)
 {
   namespace P = T::parameters;
   const auto anchors = p.t_mesh.graph().add_property_map<Face, T::T_mesh_anchor<Mesh, FT>>("f:anchor").first;
@@ -120,26 +122,14 @@ bool make_problem(const std::string& name, const T::Seamless_map<Mesh, FT>& map,
   if (!is_success(
           name, T::trace_motorcycle_graph(map, p.t_mesh, P::vertex_place_map(place_map, P::face_anchor_map(anchors)))))
     return false;
-  std::vector<Sample> samples;
-  T::sample_T_mesh(map, p.t_mesh, anchors, place_map, std::back_inserter(samples),
+  T::sample_T_mesh(map, p.t_mesh, anchors, place_map, std::back_inserter(p.carried_samples),
                    P::number_of_samples(number_of_samples));
-  Points points;
-  for (const Sample& s : samples)
-    points.add(s.place.face, s.place.u, s.place.v, Kernel::Weighted_point_3(s.point, s.weight));
-  T::regularize_T_mesh(p.t_mesh, T::parameters::observer(points.observer()));
+  T::regularize_T_mesh(p.t_mesh, P::observer(p.carried_samples.observer()));
   const T::T_mesh_coordinates coordinates(p.t_mesh);
-  T::Surface_face_size size(coordinates, points);
-  const auto np = T::parameters::observer(size.observer());
-  if (!is_success(name, T::refine_T_mesh(p.t_mesh, size, face_size, np)) ||
-      (is_compatible && !is_success(name, T::make_spline_compatible(p.t_mesh, np))))
-    return false;
-  for (const Face f : faces(p.t_mesh.graph()))
-    for (const Points::Point& s : points.points(f))
-      p.samples.push_back({{f, std::clamp(s.u, 0., CGAL::to_double(coordinates.width(f))),
-                            std::clamp(s.v, 0., CGAL::to_double(coordinates.height(f)))},
-                           s.payload.point(),
-                           s.payload.weight()});
-  return true;
+  T::Surface_face_size size(coordinates, p.carried_samples);
+  const auto np = P::observer(size.observer());
+  return is_success(name, T::refine_T_mesh(p.t_mesh, size, face_size, np)) &&
+         is_success(name, T::make_spline_compatible(p.t_mesh, np));
 }
 
 /// The normal equations as one would write them down: a row of basis functions per sample.
@@ -192,7 +182,7 @@ std::optional<double> fit_seconds(const std::string& name, Problem& p, const dou
   bool is_fitted = true;
   std::vector<Sample> samples;
   const double seconds = best_cpu_seconds(repeats, [&] {
-    samples = p.samples;
+    samples = p.samples();
     is_fitted = is_fitted &&
                 is_success(name, T::fit_T_spline(p.t_mesh, samples, p.t_mesh.graph().points(),
                                                  T::parameters::fairness(fairness).number_of_iterations(corrections)));
@@ -207,18 +197,18 @@ void measure_one_fit(const std::string& name, const T::Seamless_map<Mesh, FT>& m
   const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
   Problem p;
   if (!make_problem(name, map, static_cast<std::size_t>(std::max(1, arguments.integer("--samples", 200000))),
-                    arguments.real("--size", 0.05) * diagonal, true, p))
+                    arguments.real("--size", 0.05) * diagonal, p))
     return;
   Control_points direct, iterative;
   Eigen::Index iterations = 0;
   bool is_converged = false;
   const auto plain_surface = [&] { return Surface(p.t_mesh, p.t_mesh.graph().points()); };
   const double direct_seconds = best_cpu_seconds(repeats, [&] {
-    const Plain_system system(plain_surface(), p.samples);
+    const Plain_system system(plain_surface(), p.samples());
     direct = Eigen::SimplicialLDLT<Matrix>(system.matrix).solve(system.right);
   });
   const double iterative_seconds = best_cpu_seconds(repeats, [&] {
-    const Plain_system system(plain_surface(), p.samples);
+    const Plain_system system(plain_surface(), p.samples());
     Eigen::ConjugateGradient<Matrix> solver;
     solver.setTolerance(1e-9);
     solver.setMaxIterations(5000); // singular systems may take any number
@@ -239,7 +229,7 @@ void measure_one_fit(const std::string& name, const T::Seamless_map<Mesh, FT>& m
       std::printf(" %12.2g", difference(surface, *points) / side);
     std::printf("\n");
   };
-  std::printf("one fit: %zu samples, %zu control points, %zu faces\n", p.samples.size(),
+  std::printf("one fit: %zu samples, %zu control points, %zu faces\n", p.samples().size(),
               surface.number_of_control_points(), static_cast<std::size_t>(num_faces(p.t_mesh.graph())));
   std::printf("  %-38s %9s %9s %12s\n", "", "seconds", "ratio", "difference");
   print("fit_T_spline()", *fair, nullptr);

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <system_error>
 
@@ -26,7 +27,7 @@ namespace T = CGAL::T_splines;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using FT = CGAL::Exact_rational;
-using Points = T::Carried_points<Mesh, double, Kernel::Point_3>;
+using Samples = T::Carried_samples<Mesh, T::T_mesh_sample_of<Mesh, Kernel::Point_3>>;
 
 int failure(const std::string& what, const std::string& message)
 {
@@ -55,13 +56,12 @@ int main(int argc, char* argv[])
   if (!graph.success())
     return failure(map_file, message(graph.status));
 
-  // Two observers follow the changes: the roots hold the T-mesh to the surface, the vertices of the mesh travel with
-  // the faces, whose size on the surface they measure.
-  Points points;
-  for (const Mesh::Vertex_index v : vertices(mesh))
-    points.add(places[v].face, places[v].u, places[v].v, mesh.point(v));
+  // Two observers follow the changes: the roots hold the T-mesh to the surface, the samples of the surface travel with
+  // the faces, whose size they measure.
+  Samples samples;
+  T::sample_T_mesh(map, t_mesh, anchors, places, std::back_inserter(samples));
   const T::T_mesh_coordinates coordinates(t_mesh);
-  T::Surface_face_size face_size(coordinates, points);
+  T::Surface_face_size face_size(coordinates, samples);
   const T::Carried_anchors<Mesh, Mesh, FT> roots(t_mesh.graph(), anchors);
   const auto with_observer = T::parameters::observer(T::T_mesh_observer_pair(roots, face_size.observer()));
 

@@ -82,7 +82,7 @@
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
 #include <CGAL/T_splines/T_mesh/Admissibility_report.h>
 #include <CGAL/T_splines/T_mesh/Carried_anchors.h>
-#include <CGAL/T_splines/T_mesh/Carried_points.h>
+#include <CGAL/T_splines/T_mesh/Carried_samples.h>
 #include <CGAL/T_splines/T_mesh/Carried_surface.h>
 #include <CGAL/T_splines/T_mesh/Spline_compatibility_report.h>
 #include <CGAL/T_splines/T_mesh/Surface_face_size.h>
@@ -98,6 +98,7 @@
 #include <CGAL/T_splines/T_mesh/check_spline_compatibility.h>
 #include <CGAL/T_splines/T_mesh/grade_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
+#include <CGAL/T_splines/T_mesh/move_place.h>
 #include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
 #include <CGAL/T_splines/Tracing/Motorcycle_graph_report.h>

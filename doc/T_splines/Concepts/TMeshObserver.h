@@ -23,7 +23,7 @@ not virtual, the algorithm calls those of the type that it was given.
 \cgalHasModels{CGAL::T_splines::T_mesh_observer}
 \cgalHasModels{CGAL::T_splines::T_mesh_observer_pair}
 \cgalHasModels{CGAL::T_splines::Carried_anchors}
-\cgalHasModels{CGAL::T_splines::Carried_points::Observer}
+\cgalHasModels{CGAL::T_splines::Carried_samples::Observer}
 \cgalHasModels{CGAL::T_splines::Carried_surface::Observer}
 \cgalHasModels{CGAL::T_splines::Surface_face_size::Observer}
 \cgalHasModelsEnd
@@ -64,7 +64,7 @@ public:
   /*!
   is called once after each split of a face, union of two faces, or shift of a line. `pieces` lists the faces that had
   another frame or another extent before, each with the faces that cover it now. A point of the old face
-  `from` belongs to the first piece with that `from` whose image lies in the rectangle of `to`.
+  `from` belongs to the first piece with that `from` whose image lies in the rectangle of `to`: `CGAL::T_splines::move_place()` moves one.
 
   Everything can be read from the T-mesh as it is now, except of faces that occur as `from` and not as `to`: they
   are about to be removed.

@@ -5,8 +5,8 @@
 \ingroup PkgTSplinesConcepts
 \cgalConcept
 
-The concept `TMeshSample` describes a sample, an element of the ranges to which `CGAL::T_splines::fit_T_spline()` and
-`CGAL::T_splines::fit_adaptive_T_spline()` fit surfaces.
+The concept `TMeshSample` describes a sample, an element of the ranges to which `CGAL::T_splines::fit_T_spline()` fits
+surfaces.
 
 Values are checked in every build, and the number of the first sample that is refused is reported: coordinates and
 weight are finite, the weight is not negative, and the place is in the closed rectangle of its face, up to round-off.
@@ -18,6 +18,7 @@ weight are finite, the weight is not negative, and the place is in the closed re
 \cgalHasModelsEnd
 
 \sa `CGAL::T_splines::sample_T_mesh()`
+\sa `CGAL::T_splines::Carried_samples`
 */
 class TMeshSample {
 public:
@@ -26,7 +27,8 @@ public:
 
   /*!
   has the members `face`, a face of the T-mesh, and `u` and `v`, numbers in the frame of the face: a
-  `CGAL::T_splines::T_mesh_place<Graph, FT>`. `fit_T_spline()` changes it.
+  `CGAL::T_splines::T_mesh_place<Graph, FT>`. `fit_T_spline()` changes it, and so does `Carried_samples` when the T-mesh
+  changes.
   */
   T_mesh_place place;
 

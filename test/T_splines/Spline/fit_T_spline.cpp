@@ -4,6 +4,10 @@
 #include <CGAL/T_splines/Spline/fit_T_spline.h>
 
 #include <CGAL/T_splines/Solver/Eigen_spd_solver_traits.h>
+#include <CGAL/T_splines/Spline/insert_knot_line.h>
+#include <CGAL/T_splines/T_mesh/Carried_samples.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_sample.h>
 
 #include "Spline/Spline_mesh.h"
 
@@ -15,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -128,6 +133,35 @@ TEST_CASE("A surface that is a T-spline stays as it is when its samples are move
       last = distance;
     }
   }
+}
+
+TEST_CASE("Samples that the T-mesh carries are fitted to as they are")
+{
+  // Where knot lines are inserted, the surface stays the same: so it is reproduced on the changed T-mesh, too.
+  CGAL::Random random(5);
+  Mesh t(refined(test_t_meshes::cube<Rational>(), Rational(1) / Rational(4)));
+  prepare(t, 0, random);
+  T::Carried_samples<Surface_mesh, Sample> carried(samples_of(t.surface(), 6));
+  int lines = 0;
+  for (int round = 0; round < 3; ++round) {
+    for (int i = 0; i < 10; ++i) {
+      const auto f = *std::next(t.mesh.faces().begin(), random.get_int(0, static_cast<int>(t.mesh.number_of_faces())));
+      const int axis = random.get_int(0, 2);
+      const T::T_mesh_coordinates coordinates(t);
+      const Rational size = axis == 0 ? coordinates.width(f) : coordinates.height(f);
+      lines +=
+          T::insert_knot_line(t, t.controls(), f, axis, Rational(size / 2), P::observer(carried.observer())).success();
+    }
+    Fitted fitted(t);
+    const auto report =
+        T::fit_T_spline(t, carried.samples(), fitted.points, P::vertex_weight_map(fitted.weights, P::fairness(0.)));
+    REQUIRE(report.status == Status::FITTED);
+    CHECK(report.error.maximum < 1e-9);
+    CHECK(fitted.largest_distance(t) < 1e-7);
+    t.mesh.remove_property_map(fitted.points);
+    t.mesh.remove_property_map(fitted.weights);
+  }
+  CHECK(lines > 3);
 }
 
 TEST_CASE("Fits follow similarity transformations of the samples, and do not depend on the units of knots")

@@ -5,7 +5,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 
 #include <CGAL/T_splines/IO/write_t_mesh.h>
-#include <CGAL/T_splines/T_mesh/Carried_points.h>
+#include <CGAL/T_splines/T_mesh/Carried_samples.h>
 
 #include "Spline/Planar_t_mesh.h"
 #include "Spline/Spline_mesh.h"
@@ -47,11 +47,15 @@ std::string text(Mesh& t)
   return out.str();
 }
 
-// A surface with points of it, at the places where they are as the T-mesh changes.
+// A surface with samples of it, at the places where they are as the T-mesh changes.
 template <typename Mesh>
 class Marked_surface {
   using Number = typename Mesh::Number;
-  using Points = CGAL::T_splines::Carried_points<typename Mesh::Graph, Number, typename Mesh::Point_3>;
+  struct Sample {
+    CGAL::T_splines::T_mesh_place<typename Mesh::Graph, Number> place;
+    typename Mesh::Point_3 point;
+  };
+  using Samples = CGAL::T_splines::Carried_samples<typename Mesh::Graph, Sample>;
   using Face = typename Mesh::face_descriptor;
   static constexpr bool is_exact = !std::is_same<Number, double>::value;
 
@@ -64,8 +68,7 @@ public:
     for (const auto f : faces(t.mesh))
       for (int i = 0; i < points_per_face; ++i) {
         const Number u = surface.width(f) * coordinate(), v = surface.height(f) * coordinate();
-        m_points.add(f, u, v, surface.position(f, u, v));
-        ++m_number;
+        m_samples.push_back({{f, u, v}, surface.position(f, u, v)});
       }
   }
 
@@ -77,7 +80,7 @@ public:
     const std::string before = text(m_t);
     const std::size_t vertices_before = num_vertices(m_t.mesh);
     const auto report = insert_knot_line(m_t, m_t.controls(), f, axis, typename Mesh::FT(size * eighths / 8),
-                                         CGAL::T_splines::parameters::observer(m_points.observer()));
+                                         CGAL::T_splines::parameters::observer(m_samples.observer()));
     ++m_count[report.status];
     const std::size_t vertices_after = std::distance(vertices(m_t.mesh).begin(), vertices(m_t.mesh).end());
     CHECK(vertices_after == vertices_before + report.inserted_vertices);
@@ -138,23 +141,17 @@ private:
   {
     const auto surface = m_t.surface();
     REQUIRE(surface.is_valid());
-    const auto inside = [](const Number& x, const Number& size) { return (std::min)((std::max)(x, Number(0)), size); };
     Number result(0);
-    int number = 0;
-    for (const auto f : faces(m_t.mesh))
-      for (const auto& point : m_points.points(f)) {
-        const auto p = surface.position(f, inside(point.u, surface.width(f)), inside(point.v, surface.height(f)));
-        for (int i = 0; i < 3; ++i)
-          result = (std::max)(result, Number(CGAL::abs(Number(p[i] - point.payload[i]))));
-        ++number;
-      }
-    CHECK(number == m_number);
+    for (const Sample& sample : m_samples.samples()) {
+      const auto p = surface.position(sample.place.face, sample.place.u, sample.place.v);
+      for (int i = 0; i < 3; ++i)
+        result = (std::max)(result, Number(CGAL::abs(Number(p[i] - sample.point[i]))));
+    }
     return result;
   }
 
   Mesh& m_t;
-  Points m_points;
-  int m_number = 0;
+  Samples m_samples;
   std::map<Status, int> m_count;
 };
 

@@ -7,12 +7,14 @@
 #include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_place.h>
 
 #include <CGAL/Fraction_traits.h>
 
 #include <boost/container_hash/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <unordered_map>
 #include <utility>
@@ -147,6 +149,33 @@ private:
   std::unordered_map<face_descriptor, Similarity, boost::hash<face_descriptor>> m_maps;
   std::vector<face_descriptor> m_touched;
 };
+
+// A place that knows where in the plane it is.
+template <typename Graph, typename FT>
+struct Developed_sample {
+  CGAL::T_splines::T_mesh_place<Graph, FT> place;
+  std::pair<FT, FT> position;
+};
+
+// Whether carried samples are still where they were, in the closed rectangles of faces that the T-mesh has, each in the
+// list of its face. Samples: a Carried_samples of Developed_sample
+template <typename Samples, typename Coordinates, typename Development, typename Group>
+bool samples_stay(const Samples& carried, const Coordinates& coordinates, const Development& development,
+                  const Group& group)
+{
+  const auto& samples = carried.samples();
+  std::vector<int> count(samples.size(), 0);
+  for (const auto f : faces(coordinates.t_mesh().graph()))
+    for (const std::size_t i : carried.samples_in_face(f)) {
+      ++count[i];
+      const auto& place = samples[i].place;
+      if (place.face != f || place.u < 0 || place.u > coordinates.width(f) || place.v < 0 ||
+          place.v > coordinates.height(f) ||
+          !group.are_equivalent(development.of(f)(place.u, place.v), samples[i].position))
+        return false;
+    }
+  return std::all_of(count.begin(), count.end(), [](const int n) { return n == 1; });
+}
 
 } // namespace test_t_meshes
 

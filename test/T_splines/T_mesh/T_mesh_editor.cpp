@@ -4,7 +4,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 
-#include <CGAL/T_splines/T_mesh/Carried_points.h>
+#include <CGAL/T_splines/T_mesh/Carried_samples.h>
 #include <CGAL/T_splines/T_mesh/check_admissibility.h>
 
 #include "T_mesh/Development.h"
@@ -34,23 +34,20 @@ using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Rational = CGAL::Exact_rational;
 using Status = CGAL::T_splines::T_mesh_edit_status;
 
-template <typename FT>
-using Plane_point = std::pair<FT, FT>;
-
 // A T-mesh of the catalogue with everything that watches its changes.
 template <typename TMesh, typename FT>
 class Scene {
 public:
   using Mesh = test_t_meshes::T_mesh<TMesh, FT>;
   using Development = test_t_meshes::Development<TMesh, FT>;
-  using Points = CGAL::T_splines::Carried_points<TMesh, FT, Plane_point<FT>>;
-  using Observer = CGAL::T_splines::T_mesh_observer_pair<typename Development::Observer, typename Points::Observer>;
+  using Samples = CGAL::T_splines::Carried_samples<TMesh, test_t_meshes::Developed_sample<TMesh, FT>>;
+  using Observer = CGAL::T_splines::T_mesh_observer_pair<typename Development::Observer, typename Samples::Observer>;
   using Editor = CGAL::T_splines::T_mesh_editor<CGAL::T_splines::T_mesh_view_of<Mesh>, Observer>;
   using Similarity = CGAL::T_splines::Similarity_2<FT>;
 
   explicit Scene(const test_t_meshes::Faces<FT>& faces)
     : mesh(faces),
-      editor(mesh, Observer(development.observer(), points.observer()))
+      editor(mesh, Observer(development.observer(), samples.observer()))
   {
   }
 
@@ -67,34 +64,23 @@ public:
       development.set(mesh.face_list[i], compose(Similarity(i, 1, 0, 0), Similarity(0, 1, FT(-c), FT(-c))));
   }
 
-  void add_points(const int n)
+  void add_samples(const int n)
   {
     for (const auto f : faces(mesh.mesh)) {
       for (int i = 0; i <= n; ++i) {
         for (int j = 0; j <= n; ++j) {
           const FT u = editor.coordinates().width(f) * FT(i) / FT(n),
                    v = editor.coordinates().height(f) * FT(j) / FT(n);
-          points.add(f, u, v, development.of(f)(u, v));
-          ++number_of_points;
+          samples.push_back({{f, u, v}, development.of(f)(u, v)});
         }
       }
     }
   }
 
   template <typename Group>
-  bool points_stay(const Group& group) const
+  bool samples_stay(const Group& group) const
   {
-    std::size_t count = 0;
-    for (const auto f : faces(mesh.mesh)) {
-      const FT width = editor.coordinates().width(f), height = editor.coordinates().height(f);
-      for (const auto& p : points.points(f)) {
-        ++count;
-        if (p.u < 0 || p.u > width || p.v < 0 || p.v > height ||
-            !group.are_equivalent(development.of(f)(p.u, p.v), p.payload))
-          return false;
-      }
-    }
-    return count == number_of_points;
+    return test_t_meshes::samples_stay(samples, editor.coordinates(), development, group);
   }
 
   std::map<int, int> extraordinary_vertices()
@@ -121,8 +107,7 @@ public:
 
   Mesh mesh;
   Development development;
-  Points points;
-  std::size_t number_of_points = 0;
+  Samples samples;
   Editor editor;
 };
 
@@ -228,7 +213,7 @@ auto state(Scene& scene)
 template <typename Scene, typename Group>
 void edit_and_check(Scene& scene, const Group& group, const bool has_area, const int operations, const int seed)
 {
-  scene.add_points(4);
+  scene.add_samples(4);
   const auto cones = scene.extraordinary_vertices();
   const int euler_characteristic = scene.euler_characteristic();
   const auto area = scene.development.area(scene.editor.coordinates());
@@ -248,7 +233,7 @@ void edit_and_check(Scene& scene, const Group& group, const bool has_area, const
     REQUIRE(scene.extraordinary_vertices() == cones);
     REQUIRE(scene.euler_characteristic() == euler_characteristic);
     REQUIRE(scene.development.is_consistent(scene.editor.coordinates(), group));
-    REQUIRE(scene.points_stay(group));
+    REQUIRE(scene.samples_stay(group));
     if (has_area)
       REQUIRE(scene.development.area(scene.editor.coordinates()) == area);
   }

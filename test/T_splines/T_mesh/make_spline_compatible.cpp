@@ -6,7 +6,7 @@
 #include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
 
 #include <CGAL/T_splines/IO/read_t_mesh.h>
-#include <CGAL/T_splines/T_mesh/Carried_points.h>
+#include <CGAL/T_splines/T_mesh/Carried_samples.h>
 #include <CGAL/T_splines/T_mesh/Surface_face_size.h>
 #include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
@@ -115,14 +115,13 @@ std::vector<Faces<FT>> catalogue()
           test_t_meshes::star_with_t_joint<FT>(6)};
 }
 
-// A T-mesh of squares with points that know where in the plane they are.
+// A T-mesh of squares with samples that know where in the plane they are.
 template <typename TMesh>
 class Scene {
 public:
   using Mesh = test_t_meshes::T_mesh<TMesh, Rational>;
-  using Point = std::pair<Rational, Rational>;
   using Development = test_t_meshes::Development<TMesh, Rational>;
-  using Points = CGAL::T_splines::Carried_points<TMesh, Rational, Point>;
+  using Samples = CGAL::T_splines::Carried_samples<TMesh, test_t_meshes::Developed_sample<TMesh, Rational>>;
   using Similarity = CGAL::T_splines::Similarity_2<Rational>;
   using Coordinates = CGAL::T_splines::T_mesh_coordinates<CGAL::T_splines::Const_T_mesh_view_of<Mesh>>;
 
@@ -137,37 +136,28 @@ public:
       for (int i = 0; i <= n; ++i)
         for (int j = 0; j <= n; ++j) {
           const Rational u = coordinates.width(f) * i / n, v = coordinates.height(f) * j / n;
-          points.add(f, u, v, development.of(f)(u, v));
-          ++number_of_points;
+          samples.push_back({{f, u, v}, development.of(f)(u, v)});
         }
     }
   }
 
   auto observer()
   {
-    using Observer = CGAL::T_splines::T_mesh_observer_pair<typename Development::Observer, typename Points::Observer>;
-    return Observer(development.observer(), points.observer());
+    using Observer = CGAL::T_splines::T_mesh_observer_pair<typename Development::Observer, typename Samples::Observer>;
+    return Observer(development.observer(), samples.observer());
   }
 
-  bool points_stay()
+  bool samples_stay() const
   {
     const Coordinates coordinates(mesh);
     const test_t_meshes::Lattice_group lattice;
-    std::size_t count = 0;
-    for (const auto f : faces(mesh.mesh))
-      for (const auto& p : points.points(f)) {
-        ++count;
-        if (p.u < 0 || p.u > coordinates.width(f) || p.v < 0 || p.v > coordinates.height(f) ||
-            !lattice.are_equivalent(development.of(f)(p.u, p.v), p.payload))
-          return false;
-      }
-    return count == number_of_points && development.is_consistent(coordinates, lattice);
+    return test_t_meshes::samples_stay(samples, coordinates, development, lattice) &&
+           development.is_consistent(coordinates, lattice);
   }
 
   Mesh mesh;
   Development development;
-  Points points;
-  std::size_t number_of_points = 0;
+  Samples samples;
 };
 
 using Read_t_mesh = CGAL::T_splines::T_mesh<Surface_mesh::Point>;
@@ -268,7 +258,7 @@ TEMPLATE_TEST_CASE("points stay where they are on the surface", "[make_spline_co
                             test_t_meshes::genus_two<Rational>(), test_t_meshes::star<Rational>(5, 1)}) {
     Scene<TestType> scene(faces);
     make_and_check(scene.mesh, scene.observer());
-    CHECK(scene.points_stay());
+    CHECK(scene.samples_stay());
   }
 }
 

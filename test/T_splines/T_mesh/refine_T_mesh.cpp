@@ -4,7 +4,9 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
 
+#include <CGAL/T_splines/T_mesh/Carried_samples.h>
 #include <CGAL/T_splines/T_mesh/Surface_face_size.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_sample.h>
 #include <CGAL/T_splines/T_mesh/check_admissibility.h>
 
 #include "T_mesh/test_t_meshes.h"
@@ -102,25 +104,27 @@ TEST_CASE("vertices in the middle third are used, others are kept away from", "[
   CHECK(split_at(0.9) == Approx(0.5));
 }
 
-TEST_CASE("sizes on a surface, by the points that the T-mesh carries", "[refine_T_mesh]")
+TEST_CASE("sizes on a surface, by the samples that the T-mesh carries", "[refine_T_mesh]")
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, Rational>;
-  using Points = CGAL::T_splines::Carried_points<Surface_mesh, double, Kernel::Point_3>;
-  using Size = CGAL::T_splines::Surface_face_size<CGAL::T_splines::Const_T_mesh_view_of<Mesh>, Points>;
+  using Sample = CGAL::T_splines::T_mesh_sample<Surface_mesh, Kernel>;
+  using Samples = CGAL::T_splines::Carried_samples<Surface_mesh, Sample>;
+  using Size = CGAL::T_splines::Surface_face_size<CGAL::T_splines::Const_T_mesh_view_of<Mesh>, Samples>;
   // A round tube, 6 around and 10 long, glued to a torus in the parameter domain only.
   Mesh t(test_t_meshes::torus<Rational>(1, 1));
   const Coordinates<Mesh> coordinates(t);
   const int n = GENERATE(200, 40);
-  Points points;
+  Samples samples;
   const double pi = std::acos(-1.), radius = 6 / (2 * pi);
   for (int i = 0; i <= n; ++i) {
     for (int j = 0; j <= n; ++j) {
       const double u = double(i) / n, v = double(j) / n;
-      points.add(t.face_list[0], u, v,
-                 Kernel::Point_3(radius * std::cos(2 * pi * u), radius * std::sin(2 * pi * u), 10 * v));
+      samples.push_back({{t.face_list[0], u, v},
+                         Kernel::Point_3(radius * std::cos(2 * pi * u), radius * std::sin(2 * pi * u), 10 * v),
+                         1});
     }
   }
-  Size size(coordinates, points);
+  Size size(coordinates, samples);
   CHECK(size(t.face_list[0]).first == Approx(6).epsilon(0.01));
   CHECK(size(t.face_list[0]).second == Approx(10).epsilon(0.01));
   const auto report = refine_T_mesh(t, size, 0.5, CGAL::T_splines::parameters::observer(size.observer()));
@@ -130,7 +134,7 @@ TEST_CASE("sizes on a surface, by the points that the T-mesh carries", "[refine_
     CHECK(10 * CGAL::to_double(coordinates.height(f)) == Approx(0.3125).epsilon(0.01));
   }
 
-  SECTION("where the points get sparse, the old faces tell the size")
+  SECTION("where the samples get sparse, the old faces tell the size")
   {
     const auto fine = refine_T_mesh(t, size, 0.05, CGAL::T_splines::parameters::observer(size.observer()));
     CHECK(fine.success());

@@ -4,7 +4,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
 
-#include <CGAL/T_splines/T_mesh/Carried_points.h>
+#include <CGAL/T_splines/T_mesh/Carried_samples.h>
 #include <CGAL/T_splines/T_mesh/check_admissibility.h>
 
 #include "Spline/Planar_t_mesh.h"
@@ -128,25 +128,26 @@ TEMPLATE_TEST_CASE("narrow faces disappear, cones keep their edges", "[regulariz
   }
 }
 
-TEST_CASE("points keep their places while a T-mesh is regularized", "[regularize_T_mesh]")
+TEST_CASE("samples keep their places while a T-mesh is regularized", "[regularize_T_mesh]")
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, Rational>;
   using Development = test_t_meshes::Development<Surface_mesh, Rational>;
-  using Points = CGAL::T_splines::Carried_points<Surface_mesh, Rational, std::pair<Rational, Rational>>;
-  using Observer = CGAL::T_splines::T_mesh_observer_pair<Development::Observer, Points::Observer>;
+  using Sample = test_t_meshes::Developed_sample<Surface_mesh, Rational>;
+  using Samples = CGAL::T_splines::Carried_samples<Surface_mesh, Sample>;
+  using Observer = CGAL::T_splines::T_mesh_observer_pair<Development::Observer, Samples::Observer>;
   using Editor = CGAL::T_splines::T_mesh_editor<CGAL::T_splines::T_mesh_view_of<Mesh>, Observer>;
   Mesh t(test_t_meshes::cube<Rational>());
   Development development;
-  Points points;
+  Samples samples;
   for (std::size_t i = 0; i < t.face_list.size(); ++i) {
     const Rational size(static_cast<int>(i) + 1);
     development.set(t.face_list[i], {0, Rational(1) / size, 0, 0});
     for (int k = 0; k < 100; ++k) {
       const Rational u = Rational(k % 10) / 9, v = Rational(k / 10) / 9;
-      points.add(t.face_list[i], u * size, v * size, {u, v});
+      samples.push_back({{t.face_list[i], u * size, v * size}, {u, v}});
     }
   }
-  const Observer observer(development.observer(), points.observer());
+  const Observer observer(development.observer(), samples.observer());
   Editor editor(t, observer);
   split_randomly(editor, 60, 3);
   const auto report = CGAL::T_splines::regularize_T_mesh(t, CGAL::T_splines::parameters::observer(observer));
@@ -155,15 +156,7 @@ TEST_CASE("points keep their places while a T-mesh is regularized", "[regularize
   const test_t_meshes::Lattice_group lattice;
   CHECK(development.is_consistent(editor.coordinates(), lattice));
   CHECK(development.area(editor.coordinates()) == 6);
-  std::size_t count = 0;
-  for (const auto f : faces(t.mesh)) {
-    for (const auto& p : points.points(f)) {
-      ++count;
-      CHECK(lattice.are_equivalent(development.of(f)(p.u, p.v), p.payload));
-      CHECK((p.u >= 0 && p.v >= 0 && p.u <= editor.coordinates().width(f) && p.v <= editor.coordinates().height(f)));
-    }
-  }
-  CHECK(count == 600);
+  CHECK(samples_stay(samples, editor.coordinates(), development, lattice));
 }
 
 TEST_CASE("constrained vertices keep their edges, and no more is done than allowed", "[regularize_T_mesh]")

@@ -6,7 +6,7 @@
 
 #include "Tracing/Traced_map.h"
 
-#include <CGAL/T_splines/T_mesh/Carried_points.h>
+#include <CGAL/T_splines/T_mesh/Carried_samples.h>
 #include <CGAL/T_splines/T_mesh/Surface_face_size.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
@@ -54,12 +54,16 @@ struct Origin_keeper : CGAL::T_splines::T_mesh_observer {
 template <typename TMesh>
 struct Changing_graph {
   using Traced = Traced_map<Surface_mesh, TMesh, Exact>;
-  using Points = CGAL::T_splines::Carried_points<TMesh, Exact, Surface_mesh::Vertex_index>;
+  struct Sample {
+    CGAL::T_splines::T_mesh_place<TMesh, Exact> place;
+    Surface_mesh::Vertex_index vertex;
+  };
+  using Samples = CGAL::T_splines::Carried_samples<TMesh, Sample>;
   using Roots = CGAL::T_splines::Carried_anchors<Surface_mesh, TMesh, Exact>;
   using Origins = decltype(Traced::origins);
 
   Traced traced;
-  Points points;
+  Samples samples;
   Roots roots;
 
   explicit Changing_graph(const Plain_map& plain)
@@ -68,16 +72,14 @@ struct Changing_graph {
   {
     REQUIRE(traced.success());
     for (const auto& [v, place] : traced.places)
-      points.add(place.face, place.u, place.v, v);
+      samples.push_back({place, v});
   }
 
   auto observer()
   {
     using namespace CGAL::T_splines;
     const Origin_keeper<Origins> origins(traced.origins, Surface_mesh::null_vertex());
-    using Of_points = typename Points::Observer;
-    return T_mesh_observer_pair<Origin_keeper<Origins>, T_mesh_observer_pair<Of_points, Roots>>(
-        origins, T_mesh_observer_pair<Of_points, Roots>(points.observer(), roots));
+    return T_mesh_observer_pair(origins, T_mesh_observer_pair(samples.observer(), roots));
   }
 
   T_mesh_check check()
@@ -89,9 +91,8 @@ struct Changing_graph {
                          edge_polyline_map(boost::make_assoc_property_map(traced.polylines),
                                            output_vertex_point_map(boost::make_assoc_property_map(traced.points)))));
     traced.places.clear();
-    for (const auto f : faces(traced.graph))
-      for (const auto& p : points.points(f))
-        traced.places[p.payload] = {f, p.u, p.v};
+    for (const Sample& sample : samples.samples())
+      traced.places[sample.vertex] = sample.place;
     CHECK(traced.places.size() == num_vertices(traced.mesh));
     Exact_t_mesh_reader reader(traced.view());
     reader.read_places(traced.mesh, boost::make_assoc_property_map(traced.places));

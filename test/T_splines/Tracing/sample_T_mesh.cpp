@@ -8,10 +8,15 @@
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
 #include <CGAL/T_splines/Similarity_map/compute_seamless_similarity_map.h>
+#include <CGAL/T_splines/T_mesh/Carried_samples.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_sample.h>
 #include <CGAL/T_splines/Tracing/internal/Isoline_walker.h>
 #include <CGAL/T_splines/Tracing/sample_T_mesh.h>
 
+#include <CGAL/Cartesian.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Gmpq.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -23,6 +28,8 @@
 #include <iterator>
 #include <string>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 using namespace hand_made_maps;
@@ -37,7 +44,9 @@ namespace {
 template <typename TriangleMesh, typename TMesh, typename NT>
 struct Sampled_map {
   using Traced = Traced_map<TriangleMesh, TMesh, NT>;
-  using Sample = T::T_mesh_sample<TMesh, Kernel>;
+  using Point_3 = std::decay_t<decltype(get(get(CGAL::vertex_point, std::declval<const TriangleMesh&>()),
+                                            typename Traced::Surface::vertex_descriptor()))>;
+  using Sample = T::T_mesh_sample_of<TMesh, Point_3>;
   using Coordinates = T::T_mesh_coordinates<typename Traced::View>;
 
   Traced traced;
@@ -291,7 +300,9 @@ TEST_CASE("Charts that are large against their triangles cost no digits", "[samp
 
 TEMPLATE_TEST_CASE("Models of triangle mesh and T-mesh, and number types", "[sample]",
                    (std::tuple<Surface_mesh, Polyhedron, double>), (std::tuple<Polyhedron, Surface_mesh, Exact>),
-                   (std::tuple<Polyhedron, Polyhedron, double>))
+                   (std::tuple<Polyhedron, Polyhedron, double>),
+                   (std::tuple<CGAL::Surface_mesh<CGAL::Epeck::Point_3>, Surface_mesh, Exact>),
+                   (std::tuple<CGAL::Polyhedron_3<CGAL::Cartesian<CGAL::Gmpq>>, Surface_mesh, double>))
 {
   for (const Plain_map& plain :
        {folded(net(translation_surface(), 3, Pattern::MIXED_DIAGONALS)), folded(scaled_torus(1.5, 4, 0, 4, 4))}) {
@@ -310,23 +321,51 @@ TEMPLATE_TEST_CASE("Models of triangle mesh and T-mesh, and number types", "[sam
   }
 }
 
-TEST_CASE("Other points for the vertices, of another kernel", "[sample]")
+TEMPLATE_TEST_CASE(
+    "Other points for the vertices, of another kernel: samples have its numbers, or doubles for exact ones", "[sample]",
+    CGAL::Simple_cartesian<float>, CGAL::Epeck, CGAL::Cartesian<CGAL::Gmpq>)
 {
-  using Other_kernel = CGAL::Simple_cartesian<float>;
+  using Point_3 = typename TestType::Point_3;
+  using Sample = T::T_mesh_sample_of<Surface_mesh, Point_3>;
+  STATIC_REQUIRE(std::is_same_v<typename Sample::FT,
+                                std::conditional_t<std::is_same_v<typename TestType::FT, float>, float, double>>);
   Sampled map(folded(net(cube(), 2, Pattern::CROSSES)));
-  std::map<Surface_mesh::Vertex_index, Other_kernel::Point_3> points;
+  map.sample_about(300);
+  std::map<Surface_mesh::Vertex_index, Point_3> points;
   for (const auto v : map.traced.mesh.vertices()) {
     const auto& p = map.traced.mesh.point(v);
-    points[v] = Other_kernel::Point_3(float(2 * p.x()), float(2 * p.y()), float(2 * p.z()));
+    points[v] = Point_3(float(2 * p.x()), float(2 * p.y()), float(2 * p.z()));
   }
-  std::vector<T::T_mesh_sample<Surface_mesh, Other_kernel>> samples;
+  std::vector<Sample> samples;
   T::sample_T_mesh(map.traced.map, map.traced.view(), boost::make_assoc_property_map(map.traced.anchors),
                    boost::make_assoc_property_map(map.traced.places), std::back_inserter(samples),
-                   CGAL::parameters::vertex_point_map(boost::make_assoc_property_map(points)));
+                   T::parameters::number_of_samples(
+                       300, CGAL::parameters::vertex_point_map(boost::make_assoc_property_map(points))));
+  REQUIRE(samples.size() == map.samples.size());
   double weight = 0;
-  for (const auto& s : samples)
-    weight += s.weight;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto &sample = samples[i], &reference = map.samples[i];
+    weight += sample.weight;
+    CHECK(sample.place.face == reference.place.face);
+    CHECK(sample.place.u == Approx(reference.place.u).margin(1e-6));
+    CHECK(sample.place.v == Approx(reference.place.v).margin(1e-6));
+    for (int axis = 0; axis < 3; ++axis)
+      CHECK(sample.point[axis] == Approx(2 * reference.point[axis]).margin(1e-6));
+  }
   CHECK(weight == Approx(4 * map.area()).epsilon(1e-5));
+}
+
+TEST_CASE("Samples can go right into what carries them", "[sample]")
+{
+  Sampled map(folded(net(cube(), 2, Pattern::CROSSES)));
+  map.sample_about(300);
+  T::Carried_samples<Surface_mesh, Sampled::Sample> carried;
+  T::sample_T_mesh(map.traced.map, map.traced.view(), boost::make_assoc_property_map(map.traced.anchors),
+                   boost::make_assoc_property_map(map.traced.places), std::back_inserter(carried),
+                   T::parameters::number_of_samples(300));
+  REQUIRE(carried.samples().size() == map.samples.size());
+  CHECK(carried.samples().front().point == map.samples.front().point);
+  CHECK(carried.samples().back().place.u == map.samples.back().place.u);
 }
 
 TEST_CASE("Triangles that no face has met continue their neighbors", "[sample]")

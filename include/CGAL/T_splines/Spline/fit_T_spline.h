@@ -7,9 +7,9 @@
 #include <CGAL/T_splines/Solver/default_solver.h>
 #include <CGAL/T_splines/Spline/T_spline_fit_report.h>
 #include <CGAL/T_splines/Spline/internal/T_spline_fitter.h>
-#include <CGAL/T_splines/T_mesh/T_mesh_sample.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/defaults.h>
+#include <CGAL/T_splines/internal/Closest_rectangle.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/graph_checks.h>
 #include <CGAL/T_splines/named_parameters.h>
@@ -31,13 +31,11 @@ namespace T_splines {
 
 namespace internal {
 
-// Takes x into [0, size], unless it is farther away than round-off explains. Returns whether it is inside.
+// Whether x is in [0, size], up to what round-off explains.
 template <typename FT>
-bool is_clamped(FT& x, const FT& size)
+bool is_inside(const FT& x, const FT& size)
 {
-  const FT given = x;
-  x = (std::clamp)(x, FT(0), size);
-  return std::abs(given - x) <= FT(1e-6) * size;
+  return excess(x, size) <= FT(1e-6);
 }
 
 // The samples in indices. Fills the report and returns an empty vector if one is invalid, or none has a weight.
@@ -59,13 +57,14 @@ std::vector<Fitting_sample<FT>> fitting_samples(const Mesh_indexing<Graph>& inde
     const int f = indexing.face_index(sample.place.face);
     Fitting_sample<FT> s{
         f, sample.place.u, sample.place.v, {sample.point.x(), sample.point.y(), sample.point.z()}, sample.weight};
-    if (!is_clamped(s.u, t_mesh.width(f)) || !is_clamped(s.v, t_mesh.height(f)) || !(s.weight >= FT(0)) ||
+    if (!is_inside(s.u, t_mesh.width(f)) || !is_inside(s.v, t_mesh.height(f)) || !(s.weight >= FT(0)) ||
         !std::isfinite(s.weight) || !std::isfinite(s.point[0]) || !std::isfinite(s.point[1]) ||
         !std::isfinite(s.point[2])) {
       report.status = T_spline_fit_status::INVALID_SAMPLE;
       report.sample = i;
       return {};
     }
+    clamp_to_rectangle(s.u, s.v, t_mesh.width(f), t_mesh.height(f));
     weight += s.weight;
     result.push_back(s);
     ++i;
@@ -103,12 +102,12 @@ auto control_point_weights(const Graph&, const NamedParameters& np)
 /// Then the samples are moved to the points of the surface that are closest nearby, and the surface is fitted again, as
 /// long as this reduces the root mean square of the distances by 2 percent or more (parameter correction).
 /// \tparam TMesh a model of `TMesh`, with a graph as for `T_spline_surface`
-/// \tparam SampleRange a range of `T_mesh_sample<Graph, Kernel>`, or of what has the members `place`, `point`,
-///        `weight`;
-///        `Kernel::FT` is the floating point type of the computation
+/// \tparam SampleRange a range of models of `TMeshSample`, such as `T_mesh_sample<Graph, Kernel>`; `Kernel::FT` is the floating
+///         point type of the computation
 /// \tparam VertexPointMap a writable map, vertex -> `Kernel::Point_3`
 /// \param t_mesh a spline compatible T-mesh
-/// \param samples their places are moved upon success, if corrections are asked for
+/// \param samples for instance the `samples()` of a `Carried_samples`; their places are moved upon success, if corrections are
+///        asked for
 /// \param control_points written upon success, to euclidean coordinates
 /// \param np an optional sequence of named parameters among these:
 ///

@@ -6,6 +6,8 @@
 
 #include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
+#include <CGAL/T_splines/T_mesh/move_place.h>
+#include <CGAL/T_splines/internal/converted_similarity.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
@@ -13,7 +15,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -79,18 +80,8 @@ public:
   void faces_replaced(const std::vector<T_mesh_piece<Graph, KnotFT>>& pieces) const
   {
     for (Root& root : *m_roots)
-      for (const T_mesh_piece<Graph, KnotFT>& piece : pieces) {
-        if (piece.from != root.place.face)
-          continue;
-        const Similarity_2<FT> transition(piece.transition.quarter_turns(), FT(piece.transition.scale()),
-                                          FT(piece.transition.u()), FT(piece.transition.v()));
-        const std::pair<FT, FT> p = transition(root.place.u, root.place.v);
-        if (p.first < FT(0) || p.second < FT(0) || FT(piece.width) < p.first || FT(piece.height) < p.second)
-          continue;
-        root.place = {piece.to, p.first, p.second};
-        root.anchor.to_face = compose(transition, root.anchor.to_face);
-        break;
-      }
+      if (const T_mesh_piece<Graph, KnotFT>* piece = move_place(root.place, pieces))
+        root.anchor.to_face = compose(internal::converted_similarity<FT>(piece->transition), root.anchor.to_face);
   }
 
 private:

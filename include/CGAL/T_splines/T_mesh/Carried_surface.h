@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/internal/triangle_meets_rectangle.h>
 #include <CGAL/T_splines/internal/converted_number.h>
+#include <CGAL/T_splines/internal/converted_similarity.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -140,9 +141,7 @@ private:
   void add_images(const std::vector<Image>& images, const T_mesh_piece<Graph, FT>& piece)
   {
     using internal::converted_number;
-    const Similarity_2<FT>& t = piece.transition;
-    const Similarity_2<double> transition(t.quarter_turns(), converted_number<double>(t.scale()),
-                                          converted_number<double>(t.u()), converted_number<double>(t.v()));
+    const Similarity_2<double> transition = internal::converted_similarity<double>(piece.transition);
     const Parameters size = {converted_number<double>(piece.width), converted_number<double>(piece.height)};
     std::vector<Image>& result = m_images[piece.to];
     for (Image image : images) {

@@ -4,8 +4,8 @@
 #ifndef CGAL_T_SPLINES_T_MESH_SURFACE_FACE_SIZE_H
 #define CGAL_T_SPLINES_T_MESH_SURFACE_FACE_SIZE_H
 
-#include <CGAL/T_splines/T_mesh/Carried_points.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
 #include <CGAL/T_splines/T_mesh/internal/Metric_fit.h>
 
 #include <CGAL/number_type_basic.h>
@@ -49,28 +49,28 @@ private:
 };
 
 /// \ingroup PkgTSplinesTMesh
-/// The size of the faces of a T-mesh on the surface, measured by points that the T-mesh carries: a model of
+/// The size of the faces of a T-mesh on the surface, measured by samples that the T-mesh carries: a model of
 /// `TMeshFaceSize`.
 ///
-/// In each face a first fundamental form is fitted to the distances of nearby points. A face with too few points gets
-/// the form of the old face from which it was cut, so that refinement need not stop where the points get sparse. With
+/// In each face a first fundamental form is fitted to the distances of nearby samples. A face with too few of them gets
+/// the form of the old face from which it was cut, so that refinement need not stop where the samples get sparse. With
 /// each change of a face, the length of a parameter unit grows by a fifth at most, so that refinement ends. A face that
-/// had less than two points from the start has size zero: add its corners.
+/// had less than two samples from the start has size zero: add its corners.
 ///
 /// Functions that change the T-mesh must be given `observer()`.
 ///
 /// \cgalModels{TMeshFaceSize}
 ///
-/// \tparam Points a `Carried_points` whose payload is a point with `x()`, `y()`, `z()`
 /// \tparam TMesh as for `T_mesh_coordinates`
-template <typename TMesh, typename Points>
+/// \tparam Samples a `Carried_samples` whose samples have the member `point`, with `x()`, `y()`, `z()`
+template <typename TMesh, typename Samples>
 class Surface_face_size {
 public:
   using Graph = typename TMesh::Graph;                           ///< the T-mesh's graph
   using Coordinates = T_mesh_coordinates<TMesh>;                 ///< coordinates in the faces
   using face_descriptor = typename Coordinates::face_descriptor; ///< a face of the graph
 
-  /// The observer that follows the changes of the faces, those of the points included; a model of `TMeshObserver`.
+  /// The observer that follows the changes of the faces, those of the samples included; a model of `TMeshObserver`.
   ///
   /// \cgalModels{TMeshObserver}
   class Observer : public T_mesh_observer {
@@ -91,8 +91,8 @@ public:
 
   /// measures all faces.
   /// \param coordinates of the T-mesh
-  /// \param points all of them; they must outlive this, and are moved by `observer()` from now on
-  Surface_face_size(const Coordinates& coordinates, Points& points) : m_coordinates(coordinates), m_points(&points)
+  /// \param samples all of them; they must outlive this, and are moved by `observer()` from now on
+  Surface_face_size(const Coordinates& coordinates, Samples& samples) : m_coordinates(coordinates), m_samples(&samples)
   {
     for (const face_descriptor f : faces(coordinates.t_mesh().graph())) {
       const double width = CGAL::to_double(coordinates.width(f)), height = CGAL::to_double(coordinates.height(f));
@@ -115,18 +115,20 @@ private:
   using Fit = internal::Metric_fit;
 
   // A split leaves at most two thirds of an extent. So the product of the two lengths is multiplied by less than
-  // 2/3 growth^2 < 1, and the refinement of any points ends, however little they look like a surface.
+  // 2/3 growth^2 < 1, and the refinement with any samples ends, however little they look like a surface.
   static constexpr double growth = 1.2;
 
   Fit::Result measured(const face_descriptor f, const double width, const double height) const
   {
-    std::vector<Fit::Sample> samples;
-    for (const auto& p : m_points->points(f))
-      samples.push_back(
-          {CGAL::to_double(p.u),
-           CGAL::to_double(p.v),
-           {CGAL::to_double(p.payload.x()), CGAL::to_double(p.payload.y()), CGAL::to_double(p.payload.z())}});
-    return Fit::fit(std::move(samples), width, height);
+    const Samples& samples = *m_samples;
+    std::vector<Fit::Point> points;
+    for (const std::size_t i : samples.samples_in_face(f)) {
+      const auto& s = samples.samples()[i];
+      points.push_back({CGAL::to_double(s.place.u),
+                        CGAL::to_double(s.place.v),
+                        {CGAL::to_double(s.point.x()), CGAL::to_double(s.point.y()), CGAL::to_double(s.point.z())}});
+    }
+    return Fit::fit(std::move(points), width, height);
   }
 
   // The lengths of a unit step along u and of one along v.
@@ -148,7 +150,7 @@ private:
       const double scale = CGAL::to_double(piece.transition.scale());
       inherited.push_back({lengths[0] / scale, lengths[1] / scale});
     }
-    m_points->replace_faces(pieces);
+    m_samples->observer().faces_replaced(pieces);
     for (const T_mesh_piece<Graph, FT>& piece : pieces)
       m_units.erase(piece.from);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -167,7 +169,7 @@ private:
   }
 
   Coordinates m_coordinates;
-  Points* m_points;
+  Samples* m_samples;
   std::unordered_map<face_descriptor, std::array<double, 2>, boost::hash<face_descriptor>> m_units;
 };
 

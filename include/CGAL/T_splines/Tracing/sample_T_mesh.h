@@ -13,14 +13,15 @@
 #include <CGAL/T_splines/Tracing/internal/Chart_points.h>
 #include <CGAL/T_splines/Tracing/internal/Face_triangles.h>
 #include <CGAL/T_splines/Tracing/internal/Triangle_samples.h>
+#include <CGAL/T_splines/internal/Closest_rectangle.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/converted_number.h>
 #include <CGAL/T_splines/internal/graph_checks.h>
 #include <CGAL/T_splines/internal/mesh_components.h>
 #include <CGAL/T_splines/named_parameters.h>
 
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -105,11 +106,12 @@ public:
 
   /// A place in the closed rectangle of its face, in numbers of another type.
   template <typename NT, typename Place>
-  T_mesh_place<Graph, NT> clamped(const Place& place) const
+  T_mesh_place<Graph, NT> converted_place(const Place& place) const
   {
     const std::array<double, 2>& size = m_sizes[get(m_face_index, place.face)];
-    return {place.face, NT(std::clamp(CGAL::to_double(place.u), 0., size[0])),
-            NT(std::clamp(CGAL::to_double(place.v), 0., size[1]))};
+    T_mesh_place<Graph, NT> result{place.face, converted_number<NT>(place.u), converted_number<NT>(place.v)};
+    clamp_to_rectangle(result.u, result.v, NT(size[0]), NT(size[1]));
+    return result;
   }
 
 private:
@@ -168,7 +170,9 @@ private:
         p[axis] += barycentric[i] * m_points[c[i]][axis];
     const auto place = m_triangles.place(t, barycentric);
     CGAL_assertion(place.face >= 0);
-    return {{m_faces[place.face], NT(place.u), NT(place.v)}, typename Sample::Point_3(p[0], p[1], p[2]), NT(weight)};
+    return {{m_faces[place.face], NT(place.u), NT(place.v)},
+            typename Sample::Point_3(NT(p[0]), NT(p[1]), NT(p[2])),
+            NT(weight)};
   }
 
   const Triangulation_connectivity& m_mesh;
@@ -195,7 +199,8 @@ private:
 /// \tparam TMesh a model of `TMesh` whose graph is one of `FaceListGraph`
 /// \tparam FaceAnchorMap a readable map, face of the T-mesh -> `T_mesh_anchor<TriangleMesh, FT>`
 /// \tparam VertexPlaceMap a readable map, vertex of the mapped mesh -> `T_mesh_place<Graph, NT>`
-/// \tparam OutputIterator takes `T_mesh_sample<Graph, Kernel>`, with the kernel of the points of the mapped mesh
+/// \tparam OutputIterator takes `T_mesh_sample_of<Graph, Point_3>`, with the type of the points of the mapped mesh: the samples
+///         are in floating point numbers, whatever the mesh and the map are in
 /// \param map the map on which the T-mesh was traced
 /// \param t_mesh, anchors, vertex_places what `trace_motorcycle_graph()` made of it
 /// \param out where the samples are written to
@@ -238,7 +243,8 @@ OutputIterator sample_T_mesh(const Seamless_map<TriangleMesh, FT>& map, const TM
   const auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, map.mesh()));
   using Point_3 = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
-  using Sample = T_mesh_sample<T_mesh_graph<TMesh>, typename CGAL::Kernel_traits<Point_3>::Kernel>;
+  using Sample = T_mesh_sample_of<T_mesh_graph<TMesh>, Point_3>;
+  using NT = typename Sample::FT;
   const auto& indexing = map.indexing();
   const std::size_t number_of_samples =
       choose_parameter(get_parameter(np, np_tags::number_of_samples),
@@ -266,8 +272,9 @@ OutputIterator sample_T_mesh(const Seamless_map<TriangleMesh, FT>& map, const TM
     return out;
   for (int v = 0; v < indexing.number_of_vertices(); ++v) {
     const auto vertex = indexing.vertex(v);
-    *out++ = Sample{sampling.template clamped<typename Sample::FT>(get(vertex_places, vertex)), get(point_map, vertex),
-                    typename Sample::FT(sampling.weight_of_vertex(v))};
+    const std::array<double, 3>& p = points[v];
+    *out++ = Sample{sampling.template converted_place<NT>(get(vertex_places, vertex)),
+                    typename Sample::Point_3(NT(p[0]), NT(p[1]), NT(p[2])), NT(sampling.weight_of_vertex(v))};
   }
   return std::copy(inner.begin(), inner.end(), out);
 }

@@ -24,7 +24,7 @@ namespace internal {
 // is bent.
 class Metric_fit {
 public:
-  struct Sample {
+  struct Point {
     double u, v;
     std::array<double, 3> p;
   };
@@ -35,14 +35,14 @@ public:
   };
 
   // Points that span less than a quarter of their face in one direction say nothing about it.
-  static Result fit(std::vector<Sample> samples, const double face_width, const double face_height)
+  static Result fit(std::vector<Point> points, const double face_width, const double face_height)
   {
-    if (samples.empty())
+    if (points.empty())
       return {{0, 0}, false};
     const auto u =
-        std::minmax_element(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.u < b.u; });
+        std::minmax_element(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.u < b.u; });
     const auto v =
-        std::minmax_element(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.v < b.v; });
+        std::minmax_element(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.v < b.v; });
     const double u_min = u.first->u, v_min = v.first->v;
     const double u_extent = u.second->u - u_min, v_extent = v.second->v - v_min;
     const bool is_wide = u_extent > face_width / 4, is_high = v_extent > face_height / 4;
@@ -51,12 +51,12 @@ public:
     const double width = is_wide ? u_extent : face_width, height = is_high ? v_extent : face_height;
 
     Metric_fit metric;
-    for (Sample& s : samples) {
-      s.u = (s.u - u_min) / width;
-      s.v = (s.v - v_min) / height;
+    for (Point& p : points) {
+      p.u = (p.u - u_min) / width;
+      p.v = (p.v - v_min) / height;
     }
-    metric.add_pairs(samples, &Sample::u, &Sample::v);
-    metric.add_pairs(samples, &Sample::v, &Sample::u);
+    metric.add_pairs(points, &Point::u, &Point::v);
+    metric.add_pairs(points, &Point::v, &Point::u);
     Result result = metric.solve(width, height);
     result.is_measured = result.is_measured && is_wide && is_high;
     return result;
@@ -64,22 +64,22 @@ public:
 
 private:
   // Pairs along strips across the patch, about as many strips as points in each.
-  void add_pairs(std::vector<Sample>& samples, double Sample::*const across, double Sample::*const along)
+  void add_pairs(std::vector<Point>& points, double Point::*const across, double Point::*const along)
   {
-    const double strips = std::ceil(std::sqrt(static_cast<double>(samples.size())));
-    const auto strip = [&](const Sample& s) { return std::floor(s.*across * strips); };
-    std::stable_sort(samples.begin(), samples.end(), [&](const Sample& a, const Sample& b) {
+    const double strips = std::ceil(std::sqrt(static_cast<double>(points.size())));
+    const auto strip = [&](const Point& p) { return std::floor(p.*across * strips); };
+    std::stable_sort(points.begin(), points.end(), [&](const Point& a, const Point& b) {
       return strip(a) != strip(b) ? strip(a) < strip(b) : a.*along < b.*along;
     });
-    for (std::size_t i = 1; i < samples.size(); ++i) {
-      if (strip(samples[i - 1]) == strip(samples[i]) || samples.size() < 9)
-        add_pair(samples[i - 1], samples[i]);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      if (strip(points[i - 1]) == strip(points[i]) || points.size() < 9)
+        add_pair(points[i - 1], points[i]);
     }
   }
 
   // Pairs have weights as the squares of their parametric lengths: where the map is nearly degenerate, small steps are
   // long on the surface, and would count for all.
-  void add_pair(const Sample& a, const Sample& b)
+  void add_pair(const Point& a, const Point& b)
   {
     const double u = b.u - a.u, v = b.v - a.v, length = u * u + v * v;
     if (!(length > 0))

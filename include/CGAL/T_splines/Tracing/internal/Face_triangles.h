@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/support/Seamless_layout.h>
+#include <CGAL/T_splines/internal/Closest_rectangle.h>
 #include <CGAL/T_splines/internal/Enclosed_number.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
@@ -17,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -47,7 +47,6 @@ public:
   struct Place {
     int face = none;
     double u = 0, v = 0;
-    double excess = 0; ///< how far outside of the rectangle the point was found, relative to its sides
   };
 
   explicit Face_triangles(const Layout& layout)
@@ -100,19 +99,20 @@ public:
     }
   }
 
-  /// The place of a point of a triangle: of the first face that contains it, else of the one that misses it by least.
+  /// The place of a point of a triangle: in the first face that contains it, else in the one that misses it by least.
   /// \param barycentric of the targets of `halfedge_of_face(triangle)`, of the next halfedge, and of the one after it
   Place place(const int triangle, const Barycentric_coordinates& barycentric) const
   {
     Place result;
-    result.excess = (std::numeric_limits<double>::max)();
-    for (int i = m_last_image[triangle]; i != none && result.excess > 0; i = m_images[i].next) {
+    Closest_rectangle<double> closest;
+    for (int i = m_last_image[triangle]; i != none && !closest.contains_point(); i = m_images[i].next) {
       const Image& image = m_images[i];
       const Vector p = combination(image, barycentric), size = m_sizes[image.face];
-      const double e = excess(p, size);
-      if (e < result.excess)
-        result = {image.face, std::clamp(p[0], 0., size[0]), std::clamp(p[1], 0., size[1]), e};
+      if (closest.offer(p[0], p[1], size[0], size[1]))
+        result = {image.face, p[0], p[1]};
     }
+    if (closest.is_chosen())
+      clamp_to_rectangle(result.u, result.v, m_sizes[result.face][0], m_sizes[result.face][1]);
     return result;
   }
 
@@ -163,14 +163,6 @@ private:
     for (int axis = 0; axis < 2; ++axis)
       p[axis] = b[0] * image.corner[0][axis] + b[1] * image.corner[1][axis] + b[2] * image.corner[2][axis];
     return p;
-  }
-
-  static double excess(const Vector& p, const Vector& size)
-  {
-    double result = 0;
-    for (int axis = 0; axis < 2; ++axis)
-      result = (std::max)({result, -p[axis] / size[axis], (p[axis] - size[axis]) / size[axis]});
-    return result;
   }
 
   static void extend(Image& image)
@@ -310,7 +302,7 @@ private:
   bool is_completed(const int triangle)
   {
     Image best;
-    double best_excess = (std::numeric_limits<double>::max)();
+    Closest_rectangle<double> closest;
     for (const int h : corners(triangle)) {
       const int neighbor = m_mesh.face(opposite(h));
       if (neighbor == none || neighbor == triangle)
@@ -319,14 +311,12 @@ private:
       const int side = static_cast<int>(std::find(corner.begin(), corner.end(), opposite(h)) - corner.begin());
       for (int i = m_last_image[neighbor]; i != none; i = m_images[i].next) {
         const Image image = continued(m_images[i], side, h);
-        const double e = excess(combination(image, {{1. / 3, 1. / 3, 1. / 3}}), m_sizes[image.face]);
-        if (e < best_excess) {
+        const Vector p = combination(image, {{1. / 3, 1. / 3, 1. / 3}}), size = m_sizes[image.face];
+        if (closest.offer(p[0], p[1], size[0], size[1]))
           best = image;
-          best_excess = e;
-        }
       }
     }
-    if (best_excess == (std::numeric_limits<double>::max)())
+    if (!closest.is_chosen())
       return false;
     add_image(triangle, best);
     return true;
