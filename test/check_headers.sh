@@ -5,9 +5,10 @@
 # Usage: check_headers.sh INCLUDE_DIRECTORY
 # Checks what every header owes: its licence line, a guard that is named after its path, at most 800 lines, no output,
 # no end of the program, no plain assert; that the header of the whole package has them all; and that rooms include
-# only those headers of other rooms that the page "Rooms" of the manual names.
+# only those headers of other rooms that the page "Rooms" of the manual names; and that the manual has the tolerances.
 
 set -u
+manual=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/doc/T_splines/T_splines.txt
 cd "$1" || exit 2
 failures=0
 
@@ -70,5 +71,9 @@ complain "Includes from room to room that the page \"Rooms\" of the manual does 
      done <<< "$used")"
 complain "Doors that no header uses:" \
   "$(for door in $doors; do grep -q "^$door " <<< "$used" || echo "$door"; done)"
+
+complain "Tolerances that the manual does not have in its table:" \
+  "$(sed -nE 's/^inline constexpr double ([a-z_]+) = ([^;]*);.*/| `\1` | \2 |/p' CGAL/T_splines/internal/tolerances.h |
+       while read -r row; do grep -qF "$row" "$manual" || echo "$row"; done)"
 
 exit $((failures > 0))

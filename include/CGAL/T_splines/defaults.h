@@ -34,6 +34,11 @@ constexpr double default_residual_tolerance = 1e-12;
 /// The most steps of Newton's method for the metric of a map.
 constexpr int default_number_of_newton_steps = 100;
 
+/// \ingroup PkgTSplinesTMesh
+/// How far lengths of a T-mesh that are equal may differ, relative to the larger one: knots that are rounded to `double`s,
+/// scaled and summed on different ways are off by some 1e-14, those that are written with ten digits by more.
+constexpr double default_relative_tolerance = 1e-9;
+
 /// \ingroup PkgTSplinesApproximation
 /// The largest distance between mesh and surface.
 constexpr double default_tolerance = 0.005;

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/IO/Field_file_report.h>
 #include <CGAL/T_splines/IO/internal/Field_file_parser.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_type_config.h>
@@ -30,7 +31,6 @@ void parse_cone_angles(Field_file_parser& parser, const FaceGraph& mesh,
                        std::vector<std::pair<typename boost::graph_traits<FaceGraph>::vertex_descriptor, int>>& cones)
 {
   using vertex_descriptor = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
-  constexpr double tolerance = 1e-6, largest = 1e6;
   const std::vector<vertex_descriptor> vertex_of_index(vertices(mesh).begin(), vertices(mesh).end());
   std::vector<std::pair<vertex_descriptor, int>> result;
   std::size_t index = 0;
@@ -43,7 +43,7 @@ void parse_cone_angles(Field_file_parser& parser, const FaceGraph& mesh,
     if (index >= vertex_of_index.size())
       continue; // only counted
     const double turns = angle / (CGAL_PI / 2), k = std::round(turns);
-    if (std::abs(turns - k) > tolerance || std::abs(k) > largest)
+    if (std::abs(turns - k) > same_number_of_turns || std::abs(k) > largest_number_of_turns)
       parser.fail(Field_file_status::NOT_A_QUARTER_TURN, index);
     else if (k < 1)
       parser.fail(Field_file_status::NON_POSITIVE_CONE, index, 1, static_cast<long long>(k));

@@ -7,6 +7,8 @@
 #include <CGAL/T_splines/IO/Field_file_report.h>
 #include <CGAL/T_splines/IO/internal/Field_file_parser.h>
 #include <CGAL/T_splines/IO/internal/Field_of_vectors.h>
+#include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -120,7 +122,7 @@ bool parse_ffield(Field_file_parser& parser, Field_of_vectors<TriangleMesh>& fie
     for (double& k : quarter_turns) {
       if (!parser.read_number(k))
         return parser.at_index(f);
-      if (k != std::floor(k) || std::abs(k) > 1e6)
+      if (k != std::floor(k) || std::abs(k) > largest_number_of_turns)
         return parser.fail(Field_file_status::SYNTAX_ERROR, f);
     }
     for (int i = 0; has_sharp && i < 3; ++i)

@@ -13,6 +13,7 @@
 #include <CGAL/T_splines/IO/internal/parse_t_mesh_ply.h>
 #include <CGAL/T_splines/IO/internal/read_whole_file.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
+#include <CGAL/T_splines/defaults.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/graph_checks.h>
 #include <CGAL/T_splines/named_parameters.h>
@@ -61,7 +62,8 @@ T_mesh_reading_report read_t_mesh_text(const std::string_view content, TMesh& t_
     return parsed;
   T_mesh_reading_report report = check_t_mesh_soup(soup);
   if (report.success() && progress.go_on())
-    report = check_t_mesh_knots(soup, choose_parameter(get_parameter(np, np_tags::relative_tolerance), 1e-9), progress);
+    report = check_t_mesh_knots(
+        soup, choose_parameter(get_parameter(np, np_tags::relative_tolerance), default_relative_tolerance), progress);
   progress.progress(0.9);
   if (!progress.go_on())
     return interrupted;

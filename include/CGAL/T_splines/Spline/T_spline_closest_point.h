@@ -173,7 +173,11 @@ private:
   }
 
   // The end of a patch has been rounded; interior ones are farther from the end of the face.
-  static bool reaches(const FT x, const FT size) { return x >= size * FT(1 - 1e-12); }
+  static bool reaches(const FT x, const FT size)
+  {
+    constexpr double round_off = 1e-12;
+    return x >= size * FT(1 - round_off);
+  }
 
   void add_vertex_faces(const Surface& surface, std::vector<Box>& boxes)
   {

@@ -12,6 +12,7 @@
 #include <CGAL/T_splines/internal/Closest_rectangle.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/graph_checks.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -35,7 +36,7 @@ namespace internal {
 template <typename FT>
 bool is_inside(const FT& x, const FT& size)
 {
-  return excess(x, size) <= FT(1e-6);
+  return excess(x, size) <= FT(summed_round_off);
 }
 
 // The samples in indices. Fills the report and returns an empty vector if one is invalid, or none has a weight.

@@ -16,6 +16,7 @@
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/converted_number.h>
 #include <CGAL/T_splines/internal/exactness.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -139,7 +140,7 @@ private:
     if constexpr (is_exact_number_type<Knot>)
       return Knot(0);
     else
-      return size * Knot(1e-6);
+      return size * Knot(summed_round_off);
   }
 
   void add(const Inserted_line<Knot>& line, const Knot& part, const Arrays& arrays,

@@ -130,11 +130,19 @@ private:
     return m_report.tolerance < (std::numeric_limits<double>::infinity)() ? m_report.tolerance : 0;
   }
 
-  // Distances that need not be told apart.
-  double negligible() const { return 1e-7 * m_extent; }
+  // Distances that need not be told apart: a thousandth of a small tolerance.
+  double negligible() const
+  {
+    constexpr double share = 1e-7;
+    return share * m_extent;
+  }
 
-  // Of the cells that means are taken from.
-  double smallest_size() const { return 1e-4 * m_extent; }
+  // Of the cells that means are taken from: smaller ones have no weight in a mean.
+  double smallest_size() const
+  {
+    constexpr double share = 1e-4;
+    return share * m_extent;
+  }
 
   // Enough for means. On the surface some per patch and triangle, but not without limit; on the mesh more, as distances
   // are largest next to sharp edges.

@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/T_mesh/internal/triangle_meets_rectangle.h>
 #include <CGAL/T_splines/internal/converted_number.h>
 #include <CGAL/T_splines/internal/converted_similarity.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -181,7 +182,7 @@ private:
         size = (std::max)(size, std::abs(a.corners[i][axis] - a.corners[(i + 1) % 3][axis]));
         distance = (std::max)(distance, std::abs(a.corners[i][axis] - b.corners[i][axis]));
       }
-    return distance <= 1e-3 * size;
+    return distance <= internal::same_image * size;
   }
 
   std::vector<Point_3> m_points;

@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/T_mesh/check_admissibility.h>
 #include <CGAL/T_splines/T_mesh/internal/Line_shift.h>
 #include <CGAL/T_splines/T_mesh/internal/T_mesh_surgery.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/property_map.h>
@@ -105,7 +106,7 @@ public:
     if (!is_inside(x, size))
       return {T_mesh_edit_status::OUTSIDE};
     const FT length = coordinates().side_length(coordinates().first_of_side(f, 1 - axis));
-    const FT eps = tolerance(size);
+    const FT eps = internal::knot_tolerance(size);
     halfedge_descriptor from = halfedge_to(coordinates().first_of_side(a), x, eps);
     // The bottom may be glued to the top, so that each vertex inserted into one appears in the other.
     const halfedge_descriptor b_first = coordinates().first_of_side(b);
@@ -204,7 +205,7 @@ public:
     if (status != T_mesh_edit_status::DONE)
       return {status};
     const Overlap o = overlap(h);
-    const FT eps = tolerance((std::max)(o.side_length, FT(o.scale * o.opposite_side_length)));
+    const FT eps = internal::knot_tolerance((std::max)(o.side_length, FT(o.scale * o.opposite_side_length)));
     const FT length = o.end - o.begin;
     const bool at_first = CGAL::abs(from) <= eps, at_last = CGAL::abs(FT(to - length)) <= eps;
     if (!(from >= FT(0) || at_first) || !(to <= length || at_last) || !(to - from > eps + eps) ||
@@ -241,17 +242,9 @@ public:
   }
 
 private:
-  static FT tolerance(const FT& size)
-  {
-    if constexpr (internal::is_exact_number_type<FT>)
-      return FT(0);
-    else
-      return size * FT(1e-11);
-  }
-
   static bool is_inside(const FT& x, const FT& size)
   {
-    const FT eps = tolerance(size);
+    const FT eps = internal::knot_tolerance(size);
     return x > eps && x < size - eps;
   }
 
@@ -337,7 +330,7 @@ private:
   // Whether the face of h and the vertices on its boundary fulfil their conditions.
   bool is_admissible_at(const halfedge_descriptor h) const
   {
-    const internal::Admissibility_check check(m_t_mesh, 1e-6);
+    const internal::Admissibility_check check(m_t_mesh, internal::summed_round_off);
     Admissibility_report<Graph> report;
     bool result =
         face(h, m_graph) == boost::graph_traits<Graph>::null_face() || check.check_face(face(h, m_graph), report);

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/T_mesh/Admissibility_report.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
+#include <CGAL/T_splines/defaults.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/exactness.h>
 #include <CGAL/T_splines/named_parameters.h>
@@ -148,7 +149,7 @@ Admissibility_report<T_mesh_graph<TMesh>> admissibility_report(const TMesh& t_me
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   constexpr std::size_t work = 10; // for an element
-  const double tolerance = choose_parameter(get_parameter(np, np_tags::relative_tolerance), 1e-9);
+  const double tolerance = choose_parameter(get_parameter(np, np_tags::relative_tolerance), default_relative_tolerance);
   const Const_T_mesh_view_of<TMesh> view(t_mesh);
   const Admissibility_check check(view, tolerance);
   Admissibility_report<T_mesh_graph<TMesh>> report;

@@ -13,6 +13,7 @@
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/mesh_components.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -106,14 +107,14 @@ struct Closed_mesh {
 };
 
 /// rounds a number of quarter turns and keeps account of the largest deviation.
-/// \return whether it is an integer within 1e-6.
+/// \return whether it is an integer within `same_number_of_turns`.
 inline bool round_turns(const double turns, int& rounded, double& largest_deviation)
 {
   const double nearest = std::round(turns);
   const double deviation = std::abs(turns - nearest);
   if (!(deviation <= largest_deviation))
     largest_deviation = deviation;
-  if (!(deviation <= 1e-6))
+  if (!(deviation <= same_number_of_turns))
     return false;
   rounded = static_cast<int>(nearest);
   return true;

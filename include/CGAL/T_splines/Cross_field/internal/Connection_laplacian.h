@@ -99,7 +99,8 @@ private:
       }
     }
     // Where triangles are flat to working precision a vertex might have none.
-    const double smallest = 1e-10 * m_area / static_cast<double>((std::max)(std::size_t(1), m_mass.size()));
+    constexpr double least_share = 1e-10; // of the mean
+    const double smallest = least_share * m_area / static_cast<double>((std::max)(std::size_t(1), m_mass.size()));
     for (double& mass : m_mass)
       mass = (std::max)(mass, smallest);
   }

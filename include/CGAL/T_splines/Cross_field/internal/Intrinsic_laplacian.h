@@ -56,9 +56,11 @@ public:
       for (const auto& [form, value] : on_edge[e])
         m_forms[form].emplace_back(static_cast<int>(e), value);
     // Not negative but for round-off; zeros might tear vertices off.
+    constexpr double least_weight = 1e-10;
     for (int e = 0; e < mesh.number_of_edges(); ++e) {
       const auto [h, g] = halfedges_of_edge(e);
-      m_weight.push_back((std::max)(0.5 * (m_surface.cotangent_opposite(h) + m_surface.cotangent_opposite(g)), 1e-10));
+      m_weight.push_back(
+          (std::max)(0.5 * (m_surface.cotangent_opposite(h) + m_surface.cotangent_opposite(g)), least_weight));
     }
     for (const int f : components.first_face)
       m_row[mesh.target(mesh.halfedge_of_face(f))] = null;

@@ -269,7 +269,9 @@ private:
 
   void solve_turns(const std::vector<int>& faces, const std::vector<double>& weight, std::vector<double>& turn) const
   {
-    constexpr double shift = 1e-9; // where no cross around the patch is given, one may be chosen
+    constexpr double shift = 1e-9;     // where no cross around the patch is given, one may be chosen
+    constexpr double residual = 1e-10; // well below the tie margin, as turns are rounded after this
+    constexpr int most_iterations = 200;
     std::vector<double> diagonal(faces.size(), shift), right_hand_side(faces.size(), 0.);
     std::vector<Hermitian_rows<double>::Lower_entry> entries;
     std::size_t side = 0;
@@ -282,8 +284,8 @@ private:
         entries.push_back({i, j, -w});
     });
     Multigrid<double> multigrid(Hermitian_rows<double>::from_lower_triangle(diagonal, entries), m_progress);
-    solve_with_multigrid(multigrid, 1., std::vector<double>(faces.size(), 0.), right_hand_side, turn, 1e-10, 200,
-                         m_progress);
+    solve_with_multigrid(multigrid, 1., std::vector<double>(faces.size(), 0.), right_hand_side, turn, residual,
+                         most_iterations, m_progress);
   }
 
   const Triangulation_connectivity& m_mesh;

@@ -173,7 +173,10 @@ private:
     const bool is_guided = !m_guide.empty();
     const bool has_fixed_vertices = laplacian.free_vertices().size() < vertices.size();
     const double alignment = is_guided ? m_options.curvature_alignment / laplacian.area() : 0.;
-    const double shift = (std::max)(alignment, (is_guided || has_fixed_vertices ? 1e-4 : 1e-2) / laplacian.area());
+    // By the area. The shift makes the matrix definite; where part of the field is given, it also pulls the rest to 0.
+    constexpr double small_shift = 1e-4, free_shift = 1e-2;
+    const double shift =
+        (std::max)(alignment, (is_guided || has_fixed_vertices ? small_shift : free_shift) / laplacian.area());
     if (!m_progress.go_on())
       return;
     Multigrid<Complex> multigrid(laplacian.shifted(shift), m_progress);
@@ -218,7 +221,8 @@ private:
         right_hand_side[i] += m_guide[vertices[i]] * (alignment * laplacian.masses()[i] / norm);
     }
     const std::vector<double> none(vertices.size(), 0.);
-    solve_with_multigrid(multigrid, 1., none, right_hand_side, x, 1e-8, most_iterations, m_progress);
+    constexpr double residual = 1e-8; // directions of crosses are not used with more digits
+    solve_with_multigrid(multigrid, 1., none, right_hand_side, x, residual, most_iterations, m_progress);
     store(laplacian, x);
   }
 
@@ -227,9 +231,10 @@ private:
   // length, of which pairs of singularities that are close to each other vanish.
   void diffuse(const Connection_laplacian& laplacian, const double shift, Multigrid<Complex>& multigrid)
   {
-    constexpr double tolerance = 1e-3, last_tolerance = 1e-4;
+    constexpr double tolerance = 1e-3, last_tolerance = 1e-4; // crosses are projected after each step
     const std::vector<int>& vertices = laplacian.free_vertices();
-    const double time = 1e-2 * laplacian.area();
+    constexpr double share_of_area = 1e-2; // pairs that are nearer than about a tenth of the size vanish
+    const double time = share_of_area * laplacian.area();
     std::vector<double> mass = laplacian.masses();
     for (double& m : mass)
       m *= 1 - time * shift;

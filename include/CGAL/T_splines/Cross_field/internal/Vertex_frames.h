@@ -46,7 +46,7 @@ struct Vertex_frames {
   }
 
   /// Cotangents are cut off here, so that sums of them stay finite.
-  static constexpr double largest_cotangent = 1e8;
+  static constexpr double largest_cotangent = 1e8; // that of an angle whose square is the unit of rounding
 
   double cotangent_opposite(const int h) const
   {

@@ -84,7 +84,8 @@ inline void compute_face_geometry(const Triangulation_connectivity& mesh, const 
   // The corner opposite to the longest edge has the two shorter ones: there the cross product loses least.
   Vector_3 normal = CGAL::cross_product(geometry.vector(mesh.next(h)), geometry.vector(mesh.previous(h)));
   double double_area = CGAL::approximate_sqrt(normal.squared_length());
-  const double smallest = 1e-16 * longest.squared_length();
+  constexpr double unit_of_rounding = 1e-16; // a smaller area has no digits, and might be 0
+  const double smallest = unit_of_rounding * longest.squared_length();
   if (!(double_area > 0)) {
     const Vector_3 axis =
         std::abs(longest.x()) < 0.5 * geometry.m_edge_length[edge_of(h)] ? Vector_3(1, 0, 0) : Vector_3(0, 1, 0);

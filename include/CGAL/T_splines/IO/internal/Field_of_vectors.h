@@ -61,6 +61,7 @@ public:
   /// \return `false`, with a report in `parser`, if they do not determine a cross: all lie in a half plane.
   bool set_cross(const int f, const std::vector<Vector_3>& vectors, const bool has_opposites, Field_file_parser& parser)
   {
+    // By the part in the face: normals of another program may differ a little.
     constexpr double largest_normal_part = 1e-2;
     double sum = 0;
     m_directions.clear();
@@ -128,7 +129,8 @@ private:
     double largest_gap = m_directions.front() + 2 * CGAL_PI - m_directions.back();
     for (std::size_t i = 1; i < m_directions.size(); ++i)
       largest_gap = (std::max)(largest_gap, m_directions[i] - m_directions[i - 1]);
-    return largest_gap < 0.999 * CGAL_PI;
+    constexpr double clearly_less = 0.999; // vectors in a half plane leave a gap of pi, up to the digits of a file
+    return largest_gap < clearly_less * CGAL_PI;
   }
 
   Mesh_indexing<TriangleMesh> m_indexing;

@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <algorithm>
 #include <array>
@@ -72,7 +73,6 @@ public:
   /// error of `tolerance`, relative to the coordinates, makes of it; and by how much.
   std::pair<Index, double> first_oblique_edge(const double tolerance) const
   {
-    constexpr double largest_uncertainty = 0.05;
     for (const std::vector<int>& loop : m_loops)
       for (const int i : loop) {
         const Index h = first_halfedge(i);

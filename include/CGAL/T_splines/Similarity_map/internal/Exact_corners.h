@@ -108,10 +108,11 @@ public:
   /// The same for coordinates. \param uv per halfedge
   bool is_harmless(const Uv_array& uv) const
   {
+    constexpr double largest_displacement = 0.125; // by the longest side: what moves farther is not rounding
     return std::all_of(m_faces.begin(), m_faces.end(), [&](const int f) {
       const Index h = m_map.mesh.halfedge_of_face(f);
       const double before = double_area(m_map.uv, h), after = double_area(uv, h);
-      return after >= before / 2 && after <= before * 2 && displacement(f, uv) <= 0.125;
+      return after >= before / 2 && after <= before * 2 && displacement(f, uv) <= largest_displacement;
     });
   }
 

@@ -17,6 +17,7 @@
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/exactness.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <algorithm>
 #include <array>
@@ -179,7 +180,6 @@ private:
   // The angles around cut vertices must be multiples of a right angle, up to what the tolerance makes of short edges.
   bool read_cone_angles(const Cut_sectors& sectors, const std::vector<char>& is_cut, std::vector<int>& quarter_turns)
   {
-    constexpr double largest_uncertainty = 0.05;
     const double quarter = 2 * std::atan(1.);
     for (int i = 0; i < sectors.number_of_vertices(); ++i) {
       double angle = 0, allowed = m_tolerance;
@@ -240,7 +240,6 @@ private:
 
   bool fit_branches(const Cut_graph& graph, std::vector<Branch_fit>& fits)
   {
-    constexpr double largest_uncertainty = 0.05;
     fits.reserve(graph.number_of_branches());
     for (int b = 0; b < graph.number_of_branches(); ++b) {
       fits.emplace_back(m_mesh, m_uv, graph, b);
@@ -262,7 +261,8 @@ private:
   // The noise of the coordinates is read off from how well the similarities fit.
   std::vector<double> scale_uncertainty(const std::vector<Branch_fit>& fits) const
   {
-    const double noise = 8 * std::max(m_figures.deviation, 2.2e-16);
+    constexpr double unit_of_rounding = 2.2e-16; // of a double: coordinates have no less noise
+    const double noise = 8 * std::max(m_figures.deviation, unit_of_rounding);
     std::vector<double> result;
     for (const Branch_fit& fit : fits)
       result.push_back(fit.scale_uncertainty(noise));
@@ -395,8 +395,9 @@ private:
     const std::vector<Isoline_coincidence> sides = map.border.sides(map.quarter_turns),
                                            found = find_lines(map, corners.points(), trial);
     std::vector<Isoline_coincidence> chosen;
-    // If triangles are in the way, only round-off is removed, or nothing.
-    for (const double largest_gap : {1., 1e-9, -1.}) {
+    // If triangles are in the way, only round-off is removed, which is measured up to some 1e-9, or nothing.
+    constexpr std::array<double, 3> largest_gaps{1, 1e-9, -1};
+    for (const double largest_gap : largest_gaps) {
       if (!m_progress.go_on())
         return false;
       chosen = sides;

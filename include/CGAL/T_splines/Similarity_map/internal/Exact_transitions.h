@@ -431,7 +431,7 @@ private:
   // Adds an equation, unless what is left of it when the others are inserted is too small.
   bool add_equation(const typename Equations::Row& row, const double smallest)
   {
-    constexpr double round_off = is_exact_number_type<FT> ? 0 : 1e-12;
+    constexpr double round_off = is_exact_number_type<FT> ? 0 : 1e-12; // of an equation that follows from the others
     const auto largest_of = [](const typename Equations::Row& r) {
       double result = 0;
       for (const auto& entry : r)

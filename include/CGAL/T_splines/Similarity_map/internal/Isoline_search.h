@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <algorithm>
 #include <array>
@@ -188,8 +189,7 @@ private:
     const double side =
         std::max({distance(m_uv[corner], m_uv[j]), distance(m_uv[j], m_uv[k]), distance(m_uv[k], m_uv[corner])});
     const double gap = std::abs(m_uv[corner][line.axis()] - line.value);
-    // What is beyond a thousandth of the triangle is not taken for rounding, whatever the noise.
-    if (!(gap <= std::min(coincidence_tolerance * side + 8 * line.noise, side * 1e-3)))
+    if (!(gap <= std::min(coincidence_tolerance * side + 8 * line.noise, side * largest_rounding)))
       return false;
     found.end = corner;
     found.gap = gap / side;

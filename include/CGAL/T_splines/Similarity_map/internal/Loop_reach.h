@@ -69,7 +69,11 @@ struct Loop_reach {
                                   : 2 * std::acosh(std::max(1., std::exp(log_half_trace)));
   }
 
-  double ratio() const { return length > 1e-9 ? std::abs(period) / length : 0; }
+  double ratio() const
+  {
+    constexpr double round_off = 1e-9; // of a length that is 0
+    return length > round_off ? std::abs(period) / length : 0;
+  }
 };
 
 /// scans short closed strips of the current triangulation and returns the one with the largest ratio of period to

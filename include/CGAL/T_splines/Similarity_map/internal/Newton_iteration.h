@@ -115,16 +115,18 @@ private:
   public:
     bool is_stalled(const double residual)
     {
-      if (residual < 0.9 * m_best) {
+      if (residual < clear_gain * m_best) {
         m_best = residual;
         m_unsuccessful = 0;
         return false;
       }
       ++m_unsuccessful;
-      return (m_best < 1e-6 && m_unsuccessful > 3) || (m_best < near_residual && m_unsuccessful > 10);
+      return (m_best < very_near_residual && m_unsuccessful > 3) || (m_best < near_residual && m_unsuccessful > 10);
     }
 
   private:
+    static constexpr double clear_gain = 0.9;          // a step that converges takes away more than a tenth
+    static constexpr double very_near_residual = 1e-6; // convergence is quadratic here, if there is any
     double m_best = std::numeric_limits<double>::infinity();
     int m_unsuccessful = 0;
   };
@@ -151,7 +153,9 @@ private:
     norm = std::sqrt(norm);
     // Forcing term: a relative error as small as the residual keeps the convergence quadratic; more than the goal asks
     // for is wasted.
-    const double tolerance = std::max(1e-10, std::min(0.1, std::max(0.3 * norm, 0.1 * m_limits.tolerance / norm)));
+    constexpr double smallest = 1e-10, largest = 0.1; // what conjugate gradients reach in doubles, and what still helps
+    const double tolerance =
+        std::max(smallest, std::min(largest, std::max(0.3 * norm, 0.1 * m_limits.tolerance / norm)));
     m_last_inner_iterations =
         preconditioned_conjugate_gradients(m_system, Interruptible_preconditioner<SolverTraits>(m_solver, m_progress),
                                            right_hand_side, m_solution, tolerance, 500, m_workspace);
@@ -193,15 +197,16 @@ private:
     const double slope_before = slope(), norm_before = m_system.gradient_norm();
     const double residual_before = static_cast<double>(m_system.residual());
     const std::size_t most_flips = 1000 + 4 * static_cast<std::size_t>(m_structure.mesh.number_of_edges());
+    constexpr double flat = 1e-3; // a slope, by the one before, that is too small to tell that a step went too far
     double length = std::min(1., 2 * m_step_length);
-    for (; length > 1e-12; length /= 2, ++m_record.halvings) {
+    for (; length > shortest_step; length /= 2, ++m_record.halvings) {
       set_trial(length);
       const std::size_t flips = flip_and_measure(most_flips);
       if (flips <= most_flips && m_system.has_triangles_only()) {
         m_system.evaluate_gradient(m_structure);
         const double residual = static_cast<double>(m_system.residual());
         const double slope_after = slope();
-        const bool overshoots = slope_after > 1e-3 * std::abs(slope_before) && !(residual <= residual_before / 2);
+        const bool overshoots = slope_after > flat * std::abs(slope_before) && !(residual <= residual_before / 2);
         const bool grows = norm_before > 1 && m_system.gradient_norm() > norm_before;
         if (residual <= m_limits.tolerance || (std::isfinite(residual) && !overshoots && !grows)) {
           m_step_length = length;
@@ -268,7 +273,7 @@ private:
       if (flips > most_flips)
         return Similarity_map_status::STALLED;
     }
-    m_blocked_steps = degeneracy.time < 1e-12 ? m_blocked_steps + 1 : 0;
+    m_blocked_steps = degeneracy.time < shortest_step ? m_blocked_steps + 1 : 0;
     m_system.evaluate(m_structure, m_progress);
     return m_blocked_steps > 20 ? Similarity_map_status::STALLED : Similarity_map_status::CONVERGED;
   }
@@ -291,6 +296,8 @@ private:
   Progress& m_progress;
   Newton_limits m_limits;
   Newton_record m_record;
+
+  static constexpr double shortest_step = 1e-12; // a shorter one is lost in the round-off of the coefficients
 
   std::vector<double> m_solution;  // by rows
   std::vector<double> m_direction; // by unknowns

@@ -104,10 +104,11 @@ public:
   /// Whether the measured angles tell that an edge is Delaunay, with some margin; `false` may be a false alarm.
   bool is_clearly_delaunay(const Structure& structure, const Index e) const
   {
+    constexpr double margin = 1e-10; // above the round-off of a cotangent
     const auto [h, g] = halfedges_of_edge(e);
     const double first = m_cotangent[h], second = m_cotangent[g];
     return m_is_triangle[structure.mesh.face(h)] && m_is_triangle[structure.mesh.face(g)] &&
-           first + second > 1e-10 * (1 + std::abs(first));
+           first + second > margin * (1 + std::abs(first));
   }
 
   /// evaluates the gradient from the measured angles.
@@ -255,7 +256,7 @@ public:
 private:
   static constexpr std::size_t work_per_triangle = 10 * work_of_function<FT>;
   static constexpr int pinned = -1;
-  static constexpr double least_weight = 1e-14;
+  static constexpr double least_weight = 1e-14; // weights of 0 would make the matrix singular
 
   struct Edge_term {
     double weight;

@@ -155,6 +155,8 @@ private:
     return is_good(corner(h), corner(m_mesh.next(h)), corner(m_mesh.previous(h)), m_refined.input_face[f]);
   }
 
+  // The smallest heights, by the longest side: about the square root of the unit of rounding; and by the coordinates, so
+  // that a height has six digits.
   static constexpr double thin = 1e-8, unresolved = 1e-10;
 
   static double longest_square(const std::array<double, 2>& p, const std::array<double, 2>& q,

@@ -149,7 +149,7 @@ private:
   // coordinates decides.
   double smallest_distance(const int e) const
   {
-    constexpr double of_computation = 1e-11, at_most = 1e-7;
+    constexpr double of_computation = 1e-11, at_most = 1e-7; // round-off of crossings; more would move real nodes
     double square = 0, largest = 0;
     const std::array<double, 3>&p = m_point[m_middle.source(halfedge_of_edge(e))],
                              &q = m_point[m_middle.target(halfedge_of_edge(e))];

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <algorithm>
 #include <array>
@@ -80,7 +81,6 @@ public:
 private:
   bool is_cut(const Index edge) const { return m_is_cut[edge] == 1; }
 
-  // A difference beyond a thousandth of the edge is not taken for rounding, whatever the tolerance.
   bool is_nearly_identity(const Uv_array& uv, const Index h, const double tolerance) const
   {
     const Index g = opposite(h), before = m_mesh.previous(h), behind = m_mesh.previous(g);
@@ -88,7 +88,7 @@ private:
     for (const Index corner : {h, g, before, behind})
       size = std::max(size, largest_coordinate(uv[corner]));
     const double length = std::min(distance(uv[h], uv[before]), distance(uv[g], uv[behind]));
-    const double allowed = std::min(tolerance * size, length * 1e-3);
+    const double allowed = std::min(tolerance * size, length * largest_rounding);
     return distance(uv[h], uv[behind]) <= allowed && distance(uv[g], uv[before]) <= allowed;
   }
 
@@ -136,8 +136,10 @@ private:
       else
         angle += uv_angle(m_mesh, uv, opposite(h));
     });
+    // Angles around vertices are multiples of a quarter turn: any number below 1 / 8 would do.
+    constexpr double clearly_less_than_quarter = 0.1;
     const double turns = angle / (8 * std::atan(1.));
-    return is_inner && std::abs(turns - std::round(turns)) < 0.1;
+    return is_inner && std::abs(turns - std::round(turns)) < clearly_less_than_quarter;
   }
 
   void weld(const std::vector<Index>& welded, Uv_array& uv)

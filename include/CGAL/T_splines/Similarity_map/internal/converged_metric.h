@@ -50,7 +50,7 @@ template <typename FT, typename TriangleMesh>
 void check_reach(const Metric_computation<FT>& computation, Progress& progress,
                  Similarity_map_report<TriangleMesh>& report)
 {
-  constexpr double close = 0.9;
+  constexpr double close = 0.9; // to the limit, 1: strips that are not looked at may be nearer
   const Loop_reach<FT> reach = largest_loop_reach(computation.structure, progress);
   report.scale_period = reach.period;
   report.hyperbolic_length = reach.length;
@@ -70,7 +70,7 @@ sharpened(const Metric_computation<double>& computation, const Metric_input& inp
   Metric_computation<FT> sharp(computation);
   Newton_system<FT> system(input.component_of_vertex, input.quarter_turns);
   Newton_limits limits;
-  limits.tolerance = 1e-17;
+  limits.tolerance = 1e-17; // two digits above the unit of rounding of long double
   limits.number_of_iterations = computation.record.iterations + 1;
   Similarity_map_report<TriangleMesh> sharp_report = report;
   sharp.iterate(system, policy, solver, progress, limits);

@@ -26,6 +26,7 @@ inline bool has_few_digits(const double x, const int digits)
 /// other programs often have six digits, which is what streams write. The first number with more ends the search.
 inline double decimal_tolerance(const std::vector<std::array<double, 2>>& uv)
 {
+  // A number with six digits is off by up to 5e-6, one with seven by 5e-7, and a deviation is a sum of some.
   constexpr double tolerance_of_doubles = 1e-6, tolerance_of_six_digits = 2e-5, tolerance_of_seven_digits = 2e-6;
   int digits = 6;
   for (const std::array<double, 2>& p : uv)

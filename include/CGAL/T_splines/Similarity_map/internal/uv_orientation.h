@@ -26,7 +26,8 @@ inline CGAL::Orientation uv_orientation(const std::array<double, 2>& a, const st
   const double left = (b[0] - a[0]) * (c[1] - a[1]), right = (b[1] - a[1]) * (c[0] - a[0]);
   const double determinant = left - right;
   // (3 + 16 epsilon) epsilon, epsilon = 2^-53 (Shewchuk 1997), and what underflow may add.
-  const double bound = 3.4e-16 * (std::abs(left) + std::abs(right)) + 1e-300;
+  constexpr double relative_error = 3.4e-16, underflow = 1e-300;
+  const double bound = relative_error * (std::abs(left) + std::abs(right)) + underflow;
   if (determinant > bound)
     return CGAL::POSITIVE;
   if (determinant < -bound)

@@ -212,7 +212,7 @@ private:
 
   bool add_level(Progress& progress)
   {
-    constexpr double thresholds[] = {0.25, 0.};
+    constexpr double thresholds[] = {0.25, 0.}; // of couplings that count as strong; if few are, all
     for (const double threshold : thresholds) {
       const Rows& matrix = m_levels.back().matrix;
       const Aggregation<Scalar> aggregation(matrix, threshold);
@@ -375,11 +375,12 @@ private:
       for (std::size_t k = matrix.begin[i]; k < matrix.begin[i + 1]; ++k)
         m_factor[i * n + matrix.entry[k].column] = matrix.entry[k].value;
     }
-    for (int j = 0; j < n; ++j) { // L L^H
+    constexpr double smallest_pivot = 1e-14; // by the diagonal: semidefinite matrices have pivots that should be 0
+    for (int j = 0; j < n; ++j) {            // L L^H
       double pivot = real_part(m_factor[j * n + j]);
       for (int k = 0; k < j; ++k)
         pivot -= real_part(product(conjugate(m_factor[j * n + k]), m_factor[j * n + k]));
-      pivot = std::sqrt((std::max)(pivot, 1e-14 * matrix.diagonal[j]));
+      pivot = std::sqrt((std::max)(pivot, smallest_pivot * matrix.diagonal[j]));
       m_factor[j * n + j] = pivot;
       for (int i = j + 1; i < n; ++i) {
         Scalar sum = m_factor[i * n + j];

@@ -166,6 +166,7 @@ private:
   {
     if (!normalize(direction))
       return false;
+    constexpr double nothing = 1e-14; // of a squared norm: what is left is the round-off of the subtractions
     for (int pass = 0; pass < 2; ++pass) {
       double left = 1;
       for (int k = 0; k < size; ++k) {
@@ -174,7 +175,7 @@ private:
         add(direction.image, -part, m_basis[k].image);
         left -= part * part;
       }
-      if (!(left > 1e-14) || !normalize(direction))
+      if (!(left > nothing) || !normalize(direction))
         return false;
     }
     return true;
@@ -220,7 +221,7 @@ double smallest_eigenvector(Multigrid<Scalar>& multigrid, const std::vector<doub
                             std::vector<Scalar>& x, Progress& progress)
 {
   constexpr int most_steps = 60, most_steps_on_coarse = 20;
-  constexpr double tolerance = 1e-6; // relative, of the eigenvalue
+  constexpr double tolerance = 1e-6; // relative, of the eigenvalue; the eigenvector then has about three digits
   std::vector<std::vector<double>> masses(1, mass);
   for (int l = 0; l + 1 < multigrid.number_of_levels(); ++l)
     masses.push_back(multigrid.coarser_masses(l, masses.back()));

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_BEZIER_CELLS_H
 
 #include <CGAL/T_splines/Spline/internal/T_spline_basis.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <algorithm>
 #include <vector>
@@ -41,7 +42,7 @@ void find_cell_cuts(const T_spline_basis<FT>& basis, const int face, const int f
 {
   cuts.clear();
   const FT size = basis.t_mesh().side_length(face, face_axis);
-  const FT eps = T_mesh_arrays<FT>::tolerance(size) * FT(100);
+  const FT eps = knot_tolerance_between_faces(size);
   for (auto a = basis.actions_begin(face); a != basis.actions_end(face); ++a) {
     const Frame_axis<FT> axis = frame_axis(a->to_vertex, face_axis);
     for (const FT& knot : basis.functions(a->vertex)[axis.axis].knots()) {

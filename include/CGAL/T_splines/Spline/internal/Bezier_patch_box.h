@@ -45,7 +45,7 @@ private:
       return;
     }
     if (number_of_halvings == 0) {
-      const FT large(1e100);
+      const FT large(1e100); // beyond all points, and its square is finite
       box.extend({-large, -large, -large});
       box.extend({large, large, large});
       return;

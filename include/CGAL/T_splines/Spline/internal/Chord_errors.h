@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/Spline/internal/Bezier_part.h>
 #include <CGAL/T_splines/Spline/internal/Parameter_correction.h>
 #include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -192,7 +193,7 @@ private:
 
   static bool is_same(const Point& a, const Point& b, const FT& size)
   {
-    const FT tolerance = FT(1e-6) * size;
+    const FT tolerance = FT(summed_round_off) * size;
     return CGAL::abs(FT(a.first - b.first)) <= tolerance && CGAL::abs(FT(a.second - b.second)) <= tolerance;
   }
 

@@ -249,7 +249,8 @@ private:
   // Whether it is better to begin anew with the smaller distance that has been found.
   bool is_outdated() const
   {
-    return !m_has_equal_weights && m_number_of_passes > 1 && squared_radius() < m_subtracted * FT(0.999);
+    constexpr double clearly_less = 0.999; // a form that is made anew costs more than a little waste
+    return !m_has_equal_weights && m_number_of_passes > 1 && squared_radius() < m_subtracted * FT(clearly_less);
   }
 
   void visit_part(Form& form, Rectangle r)
@@ -379,7 +380,8 @@ private:
     const FT aa = x.jet.du.squared_length(), ab = x.jet.du * x.jet.dv, bb = x.jet.dv.squared_length();
     FT ss = aa + x.difference * x.jet.duu, st = ab + x.difference * x.jet.duv, tt = bb + x.difference * x.jet.dvv;
     const auto along = [](const FT g, const FT h, const FT gauss_newton) {
-      const FT divisor = h > FT(0.01) * gauss_newton ? h : gauss_newton;
+      constexpr double flat = 0.01; // a second derivative that is smaller leads far away, and may be negative next
+      const FT divisor = h > FT(flat) * gauss_newton ? h : gauss_newton;
       return divisor > FT(0) ? -g / divisor : FT(0);
     };
     const auto bounded = [](const FT step, const FT value, const FT begin, const FT end) {
@@ -393,10 +395,12 @@ private:
       return {FT(0), bounded(along(x.gt, tt, bb), x.t, r.t_begin, r.t_end)};
     if (t_is_fixed)
       return {bounded(along(x.gs, ss, aa), x.s, r.s_begin, r.s_end), FT(0)};
-    if (!(ss > FT(0) && tt > FT(0) && ss * tt - st * st > FT(1e-4) * ss * tt)) {
-      ss = aa * FT(1.01);
+    constexpr double nearly_singular = 1e-4;  // flat, squared
+    constexpr double levenberg_factor = 1.01; // makes the form of Gauss and Newton definite
+    if (!(ss > FT(0) && tt > FT(0) && ss * tt - st * st > FT(nearly_singular) * ss * tt)) {
+      ss = aa * FT(levenberg_factor);
       st = ab;
-      tt = bb * FT(1.01);
+      tt = bb * FT(levenberg_factor);
     }
     const FT determinant = ss * tt - st * st;
     if (!(determinant > FT(0)))

@@ -214,7 +214,7 @@ private:
   template <typename Visit>
   void climb(Sample sample, const double longest_step, const Visit& visit)
   {
-    constexpr double shorter = 0.6, shortest = 0.02;
+    constexpr double shorter = 0.6, shortest = 0.02; // by the step before, and by the longest step
     int number_of_trials = 50;
     const Triangle_set::Triangle_3 t = m_mesh.triangle(sample.triangle);
     const auto side = t[1] - t[0];
@@ -330,7 +330,7 @@ private:
   {
     const Triangle_set::Triangle_3 triangle = part.triangle();
     const double size = area(triangle), length = length_of_longest_side(triangle);
-    constexpr double small = 0.5;
+    constexpr double small = 0.5; // by the cells of the surface: distance is nearly linear there
     if (std::all_of(part.feet.begin(), part.feet.end(),
                     [&](const Foot& foot) { return length <= small * cell_size(foot.patch); })) {
       for (const Foot& foot : part.feet)

@@ -31,7 +31,7 @@ public:
   /// \return whether this level is the best one so far; that it folds counts as a quarter of the tolerance
   bool add(const Fit_quality& level)
   {
-    constexpr double enough = 0.9;
+    constexpr double enough = 0.9; // levels that take less than a tenth of an error away are not worth their points
     bool improves = false;
     const std::array<double, 5> figures = {level.maximum, level.rms, level.area_to_mend,
                                            static_cast<double>(level.folded_faces),

@@ -203,7 +203,7 @@ public:
   bool solve_again(SolverTraits& solver, std::vector<std::array<FT, 3>>& points)
   {
     constexpr int largest_number_of_iterations = 40;
-    constexpr FT tolerance = FT(1e-9);
+    constexpr FT tolerance = FT(1e-9); // of a change of control points that is small itself
     set_matrix();
     scale_matrix();
     for (int k = 0; k < 3; ++k) {

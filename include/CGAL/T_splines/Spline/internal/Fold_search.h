@@ -12,6 +12,7 @@
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +59,7 @@ public:
       return;
     const Vector_3 unit = sample.normal / length;
     double& smallest = m_cosines[sample.patch];
-    constexpr double positive = 1e-3;
+    constexpr double positive = 1e-3; // a cosine that round-off does not make of a negative one
     const double cosine = m_normals.cosine(unit, sample.foot, (std::max)(smallest, positive));
     Fold_state& state = m_states[sample.patch];
     if (cosine <= 0 && state != Fold_state::FOLDED)
@@ -74,7 +75,7 @@ public:
   /// \param progress if it is interrupted, what was found means nothing
   void search(Progress& progress)
   {
-    constexpr double far_turned = 0.5;
+    constexpr double far_turned = 0.5; // the cosine: more than 60 degrees within a patch is worth a look
     const std::size_t n = m_surface.number_of_patches();
     for (std::size_t i = 0; i < n && progress.go_on_after(1000); ++i) {
       progress.progress(static_cast<double>(i) / static_cast<double>(n));
@@ -103,7 +104,7 @@ private:
   // Whether any triangle does that is as near as the tolerance allows, or as the closest one.
   bool agrees_within_tolerance(const Vector_3& unit, const Surface_sample& sample) const
   {
-    constexpr double as_near = 1 + 1e-9;
+    constexpr double as_near = 1 + same_point;
     const double reach = (std::max)(m_tolerance, as_near * sample.foot.distance());
     return !m_mesh.is_true_near(sample.point, reach, [&](const std::size_t i) {
       return !(unit * m_normals.normal(i) > 0) ||

@@ -12,6 +12,7 @@
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -248,7 +249,7 @@ private:
       const Vector_3 rest = p - foot.point;
       const double a = tangents.du.squared_length(), b = tangents.du * tangents.dv, c = tangents.dv.squared_length(),
                    determinant = a * c - b * b;
-      if (!(determinant > 1e-12 * a * c))
+      if (!(determinant > parallel_tangents * a * c))
         break;
       const double x = rest * tangents.du, y = rest * tangents.dv;
       const double du = (c * x - b * y) / determinant, dv = (a * y - b * x) / determinant;

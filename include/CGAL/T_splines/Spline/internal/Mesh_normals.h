@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_stars.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <algorithm>
 #include <array>
@@ -49,8 +50,7 @@ public:
       return result;
     const std::array<std::size_t, 3>& corners = m_set.triangles[foot.triangle];
     const Triangle_set::Triangle_3 t = m_set.triangle(foot.triangle);
-    constexpr double same_place = 1e-9;
-    const double squared_tolerance = same_place * same_place *
+    const double squared_tolerance = same_point * same_point *
                                      (std::max)({CGAL::squared_distance(t[0], t[1]), CGAL::squared_distance(t[1], t[2]),
                                                  CGAL::squared_distance(t[2], t[0])});
     const auto is_at = [&](const Triangle_set::Point_3& p) {

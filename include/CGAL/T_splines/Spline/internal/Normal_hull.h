@@ -111,7 +111,7 @@ template <typename VectorRange>
 Direction_cone cone_of(const VectorRange& directions)
 {
   using Vector_3 = CGAL::Simple_cartesian<double>::Vector_3;
-  constexpr double round_off = 1e-26; // of squares
+  constexpr double round_off = 1e-26; // of squares: the lengths are some hundred units of rounding
   Vector_3 sum(0, 0, 0);
   double largest = 0;
   for (const Vector_3& x : directions) {

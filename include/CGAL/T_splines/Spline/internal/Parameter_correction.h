@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Spline/internal/Fitting_system.h>
 #include <CGAL/T_splines/Spline/internal/T_spline_basis.h>
 #include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <algorithm>
 #include <cmath>
@@ -116,7 +117,7 @@ private:
     if (c < 0)
       return false;
     const std::pair<FT, FT> p = m_basis.cone_faces()[c].to_unit_square(sample.u, sample.v);
-    constexpr FT tolerance = FT(1e-9);
+    constexpr FT tolerance = FT(1e-9); // by the unit square: there, derivatives are not bounded
     return p.first <= tolerance && p.second <= tolerance;
   }
 
@@ -142,7 +143,7 @@ private:
     const Vector_3 rest(sample.point[0] - jet.position.x(), sample.point[1] - jet.position.y(),
                         sample.point[2] - jet.position.z());
     const FT a = jet.du * jet.du, b = jet.du * jet.dv, c = jet.dv * jet.dv, determinant = a * c - b * b;
-    if (!(determinant > FT(1e-12) * a * c))
+    if (!(determinant > FT(parallel_tangents) * a * c))
       return false;
     const FT p = rest * jet.du, q = rest * jet.dv, width = m_t_mesh.width(sample.face),
              height = m_t_mesh.height(sample.face);
@@ -150,6 +151,7 @@ private:
     const FT length = (std::max)(std::abs(du) / width, std::abs(dv) / height); // by the face
     const FT before = rest * rest;
     constexpr int number_of_trials = 4;
+    constexpr double smallest_step = 1e-3; // by the face: convergence is quadratic, so the next one would be tiny
     FT factor(1);
     for (int trial = 0; trial < number_of_trials; ++trial, factor /= FT(4)) {
       const Indexed_place<FT> place = moved(m_t_mesh, {sample.face, sample.u, sample.v}, factor * du, factor * dv);
@@ -157,7 +159,7 @@ private:
         sample.face = place.face;
         sample.u = place.u;
         sample.v = place.v;
-        return factor * length > FT(1e-3);
+        return factor * length > FT(smallest_step);
       }
     }
     return false;

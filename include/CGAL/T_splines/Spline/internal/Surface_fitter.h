@@ -214,7 +214,7 @@ private:
     report.error.rms = move();
     report.first_error = report.error;
     // Control points -> aims -> control points is an iteration with a fixed point.
-    constexpr double negligible = 0.995;
+    constexpr double negligible = 0.995; // half a percent of the error is not worth a solve
     Anderson_acceleration<FT> acceleration;
     while (report.number_of_corrections < number_of_corrections) {
       m_progress.progress(static_cast<double>(report.number_of_corrections) / number_of_corrections);

@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/T_mesh/Carried_surface.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <algorithm>
 #include <array>
@@ -77,7 +78,7 @@ public:
     for (int f = 0; f < m_basis.t_mesh().number_of_faces() && m_progress.go_on_after(work_per_face); ++f) {
       enter(f);
       m_progress.go_on_after(work_per_image * images().size());
-      const double eps_u = 1e-9 * m_width, eps_v = 1e-9 * m_height;
+      const double eps_u = same_point * m_width, eps_v = same_point * m_height;
       for (const Image& image : images())
         for (int i = 0; i < 3; ++i) {
           const std::size_t p = m_surface.triangles()[image.triangle][i];
@@ -191,10 +192,9 @@ private:
           consider(image, u[i], v[j], found[i * v.size() + j]);
     }
     // Round-off may leave gaps.
-    constexpr double outside = -1e-6;
     for (std::size_t i = 0; i < u.size(); ++i)
       for (std::size_t j = 0; j < v.size(); ++j)
-        if (found[i * v.size() + j].depth < outside)
+        if (found[i * v.size() + j].depth < -summed_round_off)
           for (const Image& image : images())
             consider(image, u[i], v[j], found[i * v.size() + j]);
   }

@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/Spline/internal/Triangle_stars.h>
 #include <CGAL/T_splines/Spline/internal/closest_of_triangle.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -75,7 +76,7 @@ public:
   /// The point closest to `q`, as far as one gets from triangle to neighbouring triangle always coming closer.
   Foot closest(const Point_3& q, const std::size_t start) const
   {
-    constexpr double closer = 1 - 1e-12;
+    constexpr double closer = 1 - 1e-12; // less is round-off, by which the walk might go in a circle
     Foot foot = closest_of(q, start);
     while (!foot.is_inside()) {
       const Foot before = foot;
@@ -100,8 +101,9 @@ public:
     bool result = true;
     for_each_neighbor(foot.triangle, [&](const std::size_t t) {
       if (result && n * m_unit_normals[t] > 0)
-        result = CGAL::squared_distance(closest_of(foot.point, t).point, foot.point) >
-                 1e-18 * CGAL::squared_distance(m_points[m_triangles[t][0]], m_points[m_triangles[t][1]]);
+        result =
+            CGAL::squared_distance(closest_of(foot.point, t).point, foot.point) >
+            same_point * same_point * CGAL::squared_distance(m_points[m_triangles[t][0]], m_points[m_triangles[t][1]]);
     });
     return result;
   }

@@ -165,7 +165,8 @@ private:
       return false;
     }
     ++report.number_of_corrections;
-    return report.error.rms < 0.98 * old_report.error.rms;
+    constexpr double enough = 0.98; // otherwise another correction is not worth a solve
+    return report.error.rms < enough * old_report.error.rms;
   }
 
   void measure(const std::vector<Sample>& samples, T_spline_fit_report<Graph>& report)

@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/T_mesh/support/Basis_knots.h>
 #include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
 #include <CGAL/T_splines/T_mesh/support/Vertex_quarters.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -188,7 +189,7 @@ private:
   bool overlaps(const Support_face<FT>& face) const
   {
     const Rectangle r = rectangle_of(face);
-    const FT eps = is_exact_number_type<FT> ? FT(0) : FT(FT(1e-6) * FT(r.high[0] - r.low[0]));
+    const FT eps = is_exact_number_type<FT> ? FT(0) : FT(FT(summed_round_off) * FT(r.high[0] - r.low[0]));
     return r.intersection(m_rectangle).has_interior(eps);
   }
 
@@ -221,7 +222,7 @@ private:
   // Round-off alone: an axis must not swallow the narrow faces next to it, where the function does not vanish.
   FT round_off(const int axis) const
   {
-    return Arrays::tolerance(FT(m_rectangle.high[axis] - m_rectangle.low[axis])) / FT(100);
+    return knot_tolerance(FT(m_rectangle.high[axis] - m_rectangle.low[axis])) / FT(100);
   }
 
   static std::array<FT, 2> coordinates(const std::pair<FT, FT>& p) { return {p.first, p.second}; }
@@ -266,7 +267,7 @@ private:
         return false;
       const Rectangle p = rectangle_of(a), q = rectangle_of(b);
       for (int axis = 0; axis < 2; ++axis) {
-        const FT eps = FT(1e-3) * FT(p.high[axis] - p.low[axis]);
+        const FT eps = FT(same_image) * FT(p.high[axis] - p.low[axis]);
         if (!(CGAL::abs(p.low[axis] - q.low[axis]) <= eps && CGAL::abs(p.high[axis] - q.high[axis]) <= eps))
           return false;
       }
@@ -277,7 +278,7 @@ private:
   bool has_no_end(const Support_face<FT>& a, const Support_face<FT>& b)
   {
     const Similarity h = compose(b.to_vertex, a.to_vertex.inverse());
-    if (is_one(h.scale()))
+    if (is_same_unit(h.scale()))
       return false;
     // p = t / (1 - s i^r), in complex numbers.
     const int r = h.quarter_turns();
@@ -294,14 +295,6 @@ private:
         .intersection(m_rectangle)
         .intersection(Rectangle::image(h.inverse(), m_rectangle))
         .has_interior(eps);
-  }
-
-  static bool is_one(const FT& scale)
-  {
-    if constexpr (is_exact_number_type<FT>)
-      return scale == FT(1);
-    else
-      return CGAL::abs(FT(scale - FT(1))) <= FT(1e-9);
   }
 
   const Arrays& m_t_mesh;

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
 #include <CGAL/T_splines/T_mesh/support/Vertex_quarters.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <array>
 
@@ -154,7 +155,7 @@ private:
   Position after_face(const Position& position) const
   {
     const int f = m_t_mesh.face(position.h), side = m_t_mesh.side(position.h);
-    const FT size = m_t_mesh.side_length(f, side), x = size - position.x, eps = Arrays::tolerance(size);
+    const FT size = m_t_mesh.side_length(f, side), x = size - position.x, eps = knot_tolerance(size);
     int e = m_t_mesh.first_of_side(f, (side + 2) % 4);
     while (!m_t_mesh.is_corner(e) && x > m_t_mesh.end(e) + eps)
       e = m_t_mesh.next(e);

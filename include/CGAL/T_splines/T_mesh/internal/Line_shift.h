@@ -6,7 +6,7 @@
 
 #include <CGAL/T_splines/T_mesh/T_mesh_edit.h>
 #include <CGAL/T_splines/T_mesh/internal/T_mesh_surgery.h>
-#include <CGAL/T_splines/internal/exactness.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -131,7 +131,8 @@ private:
       }
       if (link.h == start) {
         m_is_closed = true;
-        return is_one(link.unit) ? Status::DONE : Status::NO_FREE_LINE;
+        // otherwise it would spiral when shifted
+        return is_same_unit(link.unit) ? Status::DONE : Status::NO_FREE_LINE;
       }
     }
   }
@@ -181,27 +182,10 @@ private:
       // Where an edge ends at the line on both sides, neither side may reach the place where the other was: the strips
       // between old and new line would overlap.
       const FT rest = knot(c.first) + c.second.loss;
-      if (!(rest > FT(0)) || !CGAL::is_finite(c.second.all) || is_negligible(rest, knot(c.first)))
+      if (!(rest > FT(0)) || !CGAL::is_finite(c.second.all) || rest < knot_tolerance(knot(c.first)))
         return Status::OUTSIDE;
     }
     return Status::DONE;
-  }
-
-  // Whether a closed line comes back to the same units: otherwise it would spiral when shifted.
-  static bool is_one(const FT& unit)
-  {
-    if constexpr (is_exact_number_type<FT>)
-      return unit == FT(1);
-    else
-      return CGAL::abs(unit - FT(1)) <= FT(1e-9);
-  }
-
-  static bool is_negligible(const FT& a, const FT& b)
-  {
-    if constexpr (is_exact_number_type<FT>)
-      return false;
-    else
-      return a < b * FT(1e-11);
   }
 
   // Each side of a face that lies on the line is counted at its first halfedge: how far it moves outwards.

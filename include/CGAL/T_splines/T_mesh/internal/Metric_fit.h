@@ -101,9 +101,13 @@ private:
     if (m_pairs == 0)
       return {{0, 0}, false};
     const double mean = m_distance / m_weight;
-    if (m_pairs >= 12 && m_matrix.determinant() > 0.02 * m_weight * m_weight) {
+    // Two sizes are told apart if there are pairs enough, in directions that differ; and if neither is next to nothing,
+    // which noise would have made of it.
+    constexpr int enough_pairs = 12;
+    constexpr double spread = 0.02, least_size = 0.01;
+    if (m_pairs >= enough_pairs && m_matrix.determinant() > spread * m_weight * m_weight) {
       const Eigen::Vector2d form = m_matrix.inverse() * m_right;
-      if (form[0] > 0.01 * mean && form[1] > 0.01 * mean)
+      if (form[0] > least_size * mean && form[1] > least_size * mean)
         return {{std::sqrt(form[0]) / width, std::sqrt(form[1]) / height}, true};
     }
     // distance^2 = s^2 (w^2 u^2 + h^2 v^2), summed up.

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/T_mesh/support/Regular_rings.h>
 #include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
 #include <CGAL/T_splines/T_mesh/support/Vertex_quarters.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -98,7 +99,7 @@ private:
     if constexpr (is_exact_number_type<FT>)
       return x == FT(integer);
     else
-      return CGAL::abs(FT(x - FT(integer))) <= FT(1e-6);
+      return CGAL::abs(FT(x - FT(integer))) <= FT(summed_round_off);
   }
 
   std::vector<int> m_index; // per face

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
 
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -89,8 +90,6 @@ public:
   }
 
 private:
-  static FT tolerance(const FT& size) { return T_mesh_arrays<FT>::tolerance(size); }
-
   const typename Splits::Coordinates& coordinates() const { return m_splits.coordinates(); }
   FT knot(const halfedge_descriptor h) const { return m_splits.t_mesh().knot(h); }
   bool is_corner(const halfedge_descriptor h) const { return m_splits.t_mesh().is_corner(h); }
@@ -154,7 +153,7 @@ private:
   FT ring_unit(const Plan& plan) const
   {
     for (const Sector& sector : sectors(plan.v)) {
-      const FT rest = rest_of_spoke(sector, plan.clearance), eps = tolerance(plan.clearance);
+      const FT rest = rest_of_spoke(sector, plan.clearance), eps = knot_tolerance(plan.clearance);
       if (rest > eps && rest < plan.clearance / FT(4))
         return short_number_below(FT(plan.clearance / FT(4)));
     }
@@ -257,7 +256,7 @@ private:
   {
     const FT reach = unit * FT(3);
     Sector_plan p = plan_of_sector(v, i, reach);
-    const auto is_larger = [&](const FT& size) { return size > reach + tolerance(size); };
+    const auto is_larger = [&](const FT& size) { return size > reach + knot_tolerance(size); };
     if (is_larger(p.width) && is_larger(p.height)) {
       if (!is_free(p, 0) && !is_free(p, 1) && separate(p))
         p = plan_of_sector(v, i, reach);
@@ -265,7 +264,7 @@ private:
       const face_descriptor strip = m_splits.split(p.f, (p.direction + first) % 4, reach).near;
       p = plan_of_sector(v, i, reach);
       if (p.f == strip && is_larger(first == 0 ? p.height : p.width) &&
-          p.room[first == 0 ? 3 : 1] <= unit * FT(2) + tolerance(unit)) {
+          p.room[first == 0 ? 3 : 1] <= unit * FT(2) + knot_tolerance(unit)) {
         divide_strip(p, first, unit);
         return;
       }
@@ -319,11 +318,11 @@ private:
   bool has_vertex_at(halfedge_descriptor h, const FT& distance, const FT& size) const
   {
     FT x = knot(h);
-    while (!is_corner(h) && x < distance - tolerance(size)) {
+    while (!is_corner(h) && x < distance - knot_tolerance(size)) {
       h = next(h, m_splits.graph());
       x += knot(h);
     }
-    return !is_corner(h) && x <= distance + tolerance(size);
+    return !is_corner(h) && x <= distance + knot_tolerance(size);
   }
 
   // A strip three units wide along an axis, and longer along the other one.

@@ -104,6 +104,8 @@ private:
   enum class Result { DONE, CHANGED, STUCK };
   enum class Split { DONE, LATER, IMPOSSIBLE };
 
+  static constexpr double round_off_of_rings = 1e-9; // of places in units of rings, which are multiples of a fraction
+
   // What a round knows.
   template <typename KnotFT>
   struct State {
@@ -286,7 +288,7 @@ private:
     const Knot_ray<KnotFT>& ray = rays[direction];
     const auto place = [&](const int i) { return distance - rings_per_ray * CGAL::to_double(ray.distance[i]); };
     View result{direction, distance, rings_per_ray, 0, 0, distance, 2, (std::min)(3., distance - 0.25)};
-    while (result.intersections < 2 && place(result.intersections) >= 1 - 1e-9)
+    while (result.intersections < 2 && place(result.intersections) >= 1 - round_off_of_rings)
       ++result.intersections;
     if (result.intersections != 1 || place(0) < 1.5)
       return result;
@@ -315,7 +317,7 @@ private:
       if (views[1].is_better_than(views[0]))
         std::swap(views[0], views[1]);
       for (const View& v : views)
-        if (v.distance > 3 - 1e-9 && v.intersections < 2 &&
+        if (v.distance > 3 - round_off_of_rings && v.intersections < 2 &&
             split_interval(state, rays[v.direction], v) != Split::IMPOSSIBLE)
           return;
       m_cones_to_do.push_back(state.indexing.vertex(cone_of_rays(state, rays)));

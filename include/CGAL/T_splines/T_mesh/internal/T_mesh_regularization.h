@@ -296,10 +296,11 @@ private:
       for (const double factor : {0.5, 1., 2.})
         lengths.push_back(factor * s.depth[i] - reach[i]);
     }
+    constexpr double smallest_fraction = 1e-9; // less is round-off of a length that should be 0
     std::vector<double> result;
     for (const double length : lengths) {
       const double fraction = length / s.length;
-      if (!(fraction > 1e-9 && fraction < 1))
+      if (!(fraction > smallest_fraction && fraction < 1))
         continue;
       const std::pair<int, int> rounded = short_fraction(fraction);
       const double value = std::ldexp(rounded.first, rounded.second);

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
 #include <CGAL/T_splines/T_mesh/support/Vertex_quarters.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <array>
 #include <vector>
@@ -140,7 +141,7 @@ private:
     const int f = m_t_mesh.face(b), side = m_t_mesh.side(b);
     const auto is_whole = [&](const int s) { return m_t_mesh.is_corner(m_t_mesh.first_of_side(f, (side + s) % 4)); };
     const FT width = m_t_mesh.width(f), height = m_t_mesh.height(f), difference = width - height;
-    const FT eps = Arrays::tolerance(width) * FT(100);
+    const FT eps = knot_tolerance_between_faces(width);
     return m_t_mesh.first_of_side(f, side) == b && is_whole(0) && is_whole(3) && (x == 2 || is_whole(1)) &&
            (y == 2 || is_whole(2)) && difference <= eps && -difference <= eps;
   }

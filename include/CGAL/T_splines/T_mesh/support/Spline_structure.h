@@ -12,6 +12,7 @@
 #include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
 #include <CGAL/T_splines/T_mesh/support/Vertex_quarters.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <algorithm>
 #include <array>
@@ -255,7 +256,7 @@ private:
   // The second knot outside may be any: it is not seen from the faces at the extraordinary vertex.
   static bool is_uniform(const std::array<FT, 5>& k)
   {
-    const FT d = k[3] - k[2], eps = d * FT(1e-6);
+    const FT d = k[3] - k[2], eps = d * FT(summed_round_off);
     const auto is_close = [&](const FT& x) { return CGAL::abs(FT(x - d)) <= eps; };
     return k[2] == FT(0) && is_close(FT(k[2] - k[1])) && (is_close(FT(k[1] - k[0])) || is_close(FT(k[4] - k[3])));
   }

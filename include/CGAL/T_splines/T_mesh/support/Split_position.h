@@ -6,7 +6,7 @@
 
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
-#include <CGAL/T_splines/internal/exactness.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -66,7 +66,7 @@ public:
     while (i < near.size() || j > 0) {
       const bool has_near = i<near.size(), has_far = j> 0;
       const FT x = has_near ? near[i] : size, y = has_far ? FT(size - far[j - 1]) : size;
-      const bool is_met_twice = has_near && has_far && CGAL::abs(FT(x - y)) <= tolerance(size);
+      const bool is_met_twice = has_near && has_far && CGAL::abs(FT(x - y)) <= knot_tolerance(size);
       consider((std::min)(x, y), is_met_twice);
       if (has_near && (is_met_twice || !has_far || x < y))
         ++i;
@@ -77,14 +77,6 @@ public:
   }
 
 private:
-  static FT tolerance(const FT& size)
-  {
-    if constexpr (is_exact_number_type<FT>)
-      return FT(0);
-    else
-      return size * FT(1e-11);
-  }
-
   // Distances of the vertices on a side, corners excepted, from its beginning.
   std::vector<FT> inner_knots(halfedge_descriptor h) const
   {

@@ -7,7 +7,6 @@
 #include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/converted_number.h>
-#include <CGAL/T_splines/internal/exactness.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -145,15 +144,6 @@ public:
     const FT scale = ratio(h);
     const Point image = Similarity_2<FT>(turns, scale, FT(0), FT(0))(p.first, p.second);
     return Similarity_2<FT>(turns, scale, FT(q.first - image.first), FT(q.second - image.second));
-  }
-
-  /// Distances on a side of length `size` that are not larger count as none.
-  static FT tolerance(const FT& size)
-  {
-    if constexpr (is_exact_number_type<FT>)
-      return FT(0);
-    else
-      return size * FT(1e-11);
   }
 
   /// The extended valence ([CZ17] section 4).

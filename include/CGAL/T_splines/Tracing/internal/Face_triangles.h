@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -137,7 +138,8 @@ private:
     double extent; ///< the largest coordinate on the way to here, which round-off is a part of
     std::array<Vector, 3> corner;
 
-    double tolerance() const { return 1e-12 * extent; }
+    double tolerance() const { return round_off * extent; }
+    static constexpr double round_off = 1e-12; // of sums of some transitions
   };
 
   /// Where digits cancel, the exact numbers are subtracted: charts may be large against their triangles.
@@ -243,7 +245,7 @@ private:
         size = (std::max)(size, std::abs(a.corner[i][axis] - a.corner[(i + 1) % 3][axis]));
         distance = (std::max)(distance, std::abs(a.corner[i][axis] - b.corner[i][axis]));
       }
-    return a.quarter_turns == b.quarter_turns && distance <= 1e-9 * size + 2 * (a.tolerance() + b.tolerance());
+    return a.quarter_turns == b.quarter_turns && distance <= same_point * size + 2 * (a.tolerance() + b.tolerance());
   }
 
   // --- which edges are crossed
@@ -275,7 +277,7 @@ private:
   static bool leads_inwards(const Vector& from, const Vector& to, const Vector& inwards)
   {
     const double u = (to[0] - from[0]) * inwards[0], v = (to[1] - from[1]) * inwards[1];
-    const double tolerance = 1e-12 * (std::max)(std::abs(u), std::abs(v));
+    const double tolerance = Image::round_off * (std::max)(std::abs(u), std::abs(v));
     return u > -tolerance && v > -tolerance;
   }
 
