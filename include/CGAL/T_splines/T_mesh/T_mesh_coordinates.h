@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
+#include <CGAL/T_splines/T_mesh/internal/face_frames.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -156,12 +157,7 @@ public:
   /// returns the point of face `f` at the distance `distance` from the beginning of side number `side`.
   std::pair<FT, FT> point(const face_descriptor f, const int side, const FT& distance) const
   {
-    switch (side) {
-    case 0: return {distance, FT(0)};
-    case 1: return {width(f), distance};
-    case 2: return {FT(width(f) - distance), height(f)};
-    default: return {FT(0), FT(height(f) - distance)};
-    }
+    return internal::point_of_side(*this, f, side, distance);
   }
 
   /// returns the source of `h` in the frame of its face.
@@ -185,12 +181,9 @@ public:
   {
     const halfedge_descriptor o = opposite(h, graph());
     const Place from = place(h), to = place(o);
-    const std::pair<FT, FT> p = point(face(h, graph()), from.side, from.begin);
-    const std::pair<FT, FT> q = point(face(o, graph()), to.side, to.begin + m_t_mesh.knot(o));
-    const int turns = to.side + 2 - from.side;
-    const FT scale = m_t_mesh.knot(o) / m_t_mesh.knot(h);
-    const std::pair<FT, FT> image = Similarity_2<FT>(turns, scale, FT(0), FT(0))(p.first, p.second);
-    return Similarity_2<FT>(turns, scale, q.first - image.first, q.second - image.second);
+    return internal::transition_of_frames<FT>({from.side, point(face(h, graph()), from.side, from.begin)},
+                                              {to.side, point(face(o, graph()), to.side, to.begin + m_t_mesh.knot(o))},
+                                              m_t_mesh.knot(o) / m_t_mesh.knot(h));
   }
 
 private:

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_T_MESH_SUPPORT_T_MESH_ARRAYS_H
 
 #include <CGAL/T_splines/Similarity_2.h>
+#include <CGAL/T_splines/T_mesh/internal/face_frames.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/converted_number.h>
 
@@ -123,12 +124,7 @@ public:
   /// The point of a side at a distance from its begin, in the frame of the face.
   Point point_of_side(const int f, const int side, const FT& distance) const
   {
-    switch (side) {
-    case 0: return {distance, FT(0)};
-    case 1: return {width(f), distance};
-    case 2: return {FT(width(f) - distance), height(f)};
-    default: return {FT(0), FT(height(f) - distance)};
-    }
+    return internal::point_of_side(*this, f, side, distance);
   }
   Point source_point(const int h) const { return point_of_side(face(h), side(h), begin(h)); }
   Point target_point(const int h) const { return point_of_side(face(h), side(h), end(h)); }
@@ -139,11 +135,8 @@ public:
   /// The similarity from the frame of the face of `h` to that of its opposite, tau of [CZ17] 4.1.1. \pre both are faces
   Similarity_2<FT> transition(const int h) const
   {
-    const int o = opposite(h), turns = side(o) + 2 - side(h);
-    const Point p = source_point(h), q = target_point(o);
-    const FT scale = ratio(h);
-    const Point image = Similarity_2<FT>(turns, scale, FT(0), FT(0))(p.first, p.second);
-    return Similarity_2<FT>(turns, scale, FT(q.first - image.first), FT(q.second - image.second));
+    const int o = opposite(h);
+    return transition_of_frames<FT>({side(h), source_point(h)}, {side(o), target_point(o)}, ratio(h));
   }
 
   /// The extended valence ([CZ17] section 4).
