@@ -17,6 +17,7 @@
 #include <CGAL/T_splines/Similarity_map/make_exactly_seamless.h>
 #include <CGAL/T_splines/Spline/T_spline.h>
 #include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>
+#include <CGAL/T_splines/internal/converted_number.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Default.h>
@@ -54,8 +55,7 @@ struct Point_in_doubles {
 
   Point_3 operator()(const typename boost::property_traits<VertexPointMap>::key_type v) const
   {
-    const auto& p = get(points, v);
-    return Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    return in_doubles<Point_3>(get(points, v));
   }
 };
 
@@ -458,10 +458,7 @@ private:
     for (const auto e : mesh.edges()) {
       put(m_mapped->cut(), e, m_mapped->map().is_cut(e));
       for (const auto h : {mesh.halfedge(e), mesh.opposite(mesh.halfedge(e))}) {
-        const Similarity_2<FT> t = m_mapped->map().transition(h);
-        put(m_mapped->transitions(), h,
-            Similarity_2<double>(t.quarter_turns(), CGAL::to_double(t.scale()), CGAL::to_double(t.u()),
-                                 CGAL::to_double(t.v())));
+        put(m_mapped->transitions(), h, internal::converted_similarity<double>(m_mapped->map().transition(h)));
       }
     }
   }

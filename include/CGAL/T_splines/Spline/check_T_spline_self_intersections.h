@@ -5,13 +5,13 @@
 #define CGAL_T_SPLINES_SPLINE_CHECK_T_SPLINE_SELF_INTERSECTIONS_H
 
 #include <CGAL/T_splines/Spline/T_spline_self_intersection_report.h>
+#include <CGAL/T_splines/Spline/internal/Axis_parallel_box.h>
 #include <CGAL/T_splines/Spline/internal/Mesh_intersections.h>
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
 #include <CGAL/T_splines/defaults.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh.h>
@@ -138,15 +138,14 @@ check_T_spline_self_intersections(const Surface& surface, const TriangleMesh& me
   progress.begin_stage("self-intersections");
   progress.go_on();
   const internal::Mesh_intersections of_mesh(mesh, point_map, progress);
-  CGAL::Bbox_3 box;
+  internal::Axis_parallel_box<double> box;
   for (const auto v : CGAL::make_range(vertices(mesh)))
-    box += internal::point_in_doubles(get(point_map, v)).bbox();
-  const double extent = num_vertices(mesh) == 0 ? 0 : (std::max)({box.x_span(), box.y_span(), box.z_span()});
+    box.extend(internal::point_in_doubles(get(point_map, v)));
   progress.progress(0.5);
   const internal::Progress::Part part(progress, 0.5, 1);
   auto report = internal::find_new_self_intersections(
-      surface, resolution, [&]() -> const internal::Mesh_intersections& { return of_mesh; }, tolerance* extent, faces,
-      progress);
+      surface, resolution, [&]() -> const internal::Mesh_intersections& { return of_mesh; }, tolerance* box.extent(),
+      faces, progress);
   report.number_of_mesh_intersections = of_mesh.number_of_pairs();
   return report;
 }

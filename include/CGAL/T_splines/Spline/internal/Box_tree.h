@@ -4,6 +4,7 @@
 #ifndef CGAL_T_SPLINES_SPLINE_INTERNAL_BOX_TREE_H
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_BOX_TREE_H
 
+#include <CGAL/T_splines/Spline/internal/Axis_parallel_box.h>
 #include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/assertions.h>
@@ -11,43 +12,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace T_splines {
 namespace internal {
-
-/// An axis-parallel box, empty at first.
-template <typename FT>
-struct Axis_parallel_box {
-  std::array<FT, 3> low{(std::numeric_limits<FT>::max)(), (std::numeric_limits<FT>::max)(),
-                        (std::numeric_limits<FT>::max)()};
-  std::array<FT, 3> high{std::numeric_limits<FT>::lowest(), std::numeric_limits<FT>::lowest(),
-                         std::numeric_limits<FT>::lowest()};
-
-  void extend(const std::array<FT, 3>& p)
-  {
-    for (int k = 0; k < 3; ++k) {
-      low[k] = (std::min)(low[k], p[k]);
-      high[k] = (std::max)(high[k], p[k]);
-    }
-  }
-
-  FT middle(const int axis) const { return low[axis] / FT(2) + high[axis] / FT(2); }
-
-  /// returns the squared distance of a point, 0 inside.
-  FT squared_distance(const std::array<FT, 3>& p) const
-  {
-    FT result(0);
-    for (int k = 0; k < 3; ++k) {
-      const FT below = low[k] - p[k], above = p[k] - high[k], outside = below > above ? below : above;
-      result += outside > FT(0) ? outside * outside : FT(0);
-    }
-    return result;
-  }
-};
 
 /// A balanced binary tree of boxes, for searches within a radius that shrinks on the way.
 ///

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Spline/T_spline_fit_report.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
 #include <CGAL/T_splines/Spline/internal/Anderson_acceleration.h>
+#include <CGAL/T_splines/Spline/internal/Axis_parallel_box.h>
 #include <CGAL/T_splines/Spline/internal/Box_tree.h>
 #include <CGAL/T_splines/Spline/internal/Carried_spline.h>
 #include <CGAL/T_splines/Spline/internal/Fitted_surface.h>
@@ -17,8 +18,8 @@
 #include <CGAL/T_splines/Spline/internal/Surface_walk.h>
 #include <CGAL/T_splines/T_mesh/Carried_surface.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/converted_number.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/property_map.h>
@@ -141,9 +142,8 @@ private:
     m_edges = sampling.sharp_edges(smallest_turn, edge_points_per_cell);
     m_corners = sampling.corners();
     for (const Point_3& p : m_carried.points())
-      m_box += p.bbox();
-    m_fitted.set_origin({FT((m_box.xmin() + m_box.xmax()) / 2), FT((m_box.ymin() + m_box.ymax()) / 2),
-                         FT((m_box.zmin() + m_box.zmax()) / 2)});
+      m_box.extend(p);
+    m_fitted.set_origin({FT(m_box.middle(0)), FT(m_box.middle(1)), FT(m_box.middle(2))});
     double area = 0;
     m_triangles.clear();
     for (const Carried_sample& sample : m_cells) {
@@ -312,7 +312,7 @@ private:
       const Carried_sample& s = m_cells[i];
       Face_fit& face = m_faces[s.face];
       const auto n = compiled.unit_normal(indexing.face(s.face), FT(s.u), FT(s.v));
-      const Vector_3 normal(CGAL::to_double(n.x()), CGAL::to_double(n.y()), CGAL::to_double(n.z()));
+      const Vector_3 normal = internal::in_doubles<Vector_3>(n);
       face.distance = (std::max)(face.distance, std::sqrt(m_feet[i].squared_distance));
       face.area += s.area;
       if (face.fold != Fold_state::FOLDED && m_walk.is_against(normal, m_feet[i])) {
@@ -326,7 +326,7 @@ private:
     report.error.maximum = 0;
     for (const Face_fit& face : m_faces)
       report.error.maximum = (std::max)(report.error.maximum, face.distance);
-    report.error.extent = (std::max)({m_box.x_span(), m_box.y_span(), m_box.z_span()});
+    report.error.extent = m_box.extent();
   }
 
   // From the places that the map gives them, steps lead to the closest places of the surface. Where that seems to end too
@@ -401,7 +401,7 @@ private:
   const Surface_walk& m_walk;
   Progress& m_progress;
   std::vector<double> m_stiffness; // of the faces
-  CGAL::Bbox_3 m_box;
+  Axis_parallel_box<double> m_box;
   double m_mean_area = 0; // of a sample of the cells
   std::vector<Carried_sample> m_cells, m_edges, m_corners;
   std::vector<std::array<FT, 3>> m_control_points; // relative to the origin

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Spline/T_spline_fit_report.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
+#include <CGAL/T_splines/Spline/internal/Axis_parallel_box.h>
 #include <CGAL/T_splines/Spline/internal/Fitted_surface.h>
 #include <CGAL/T_splines/Spline/internal/Fitting_system.h>
 #include <CGAL/T_splines/Spline/internal/Parameter_correction.h>
@@ -17,32 +18,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace T_splines {
 namespace internal {
-
-/// The box of the points of samples.
-template <typename FT>
-struct Sample_box {
-  std::array<FT, 3> low, high;
-
-  explicit Sample_box(const std::vector<Fitting_sample<FT>>& samples)
-  {
-    low.fill((std::numeric_limits<FT>::max)());
-    high.fill(std::numeric_limits<FT>::lowest());
-    for (const Fitting_sample<FT>& sample : samples)
-      for (int k = 0; k < 3; ++k) {
-        low[k] = (std::min)(low[k], sample.point[k]);
-        high[k] = (std::max)(high[k], sample.point[k]);
-      }
-  }
-
-  FT extent() const { return (std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]}); }
-  FT center(const int k) const { return low[k] / FT(2) + high[k] / FT(2); }
-};
 
 /// Fits the control points of one T-mesh to samples, and moves the samples.
 /// \tparam TMesh a `T_mesh_view` of a `const` graph
@@ -86,8 +66,10 @@ private:
   void fit_and_move(std::vector<Sample>& samples, const FT& fairness, const int number_of_corrections,
                     SolverTraits& solver, T_spline_fit_report<Graph>& report)
   {
-    const Sample_box<FT> box(samples);
-    m_fitted.set_origin({box.center(0), box.center(1), box.center(2)});
+    Axis_parallel_box<FT> box;
+    for (const Sample& sample : samples)
+      box.extend(sample.point);
+    m_fitted.set_origin({box.middle(0), box.middle(1), box.middle(2)});
     for (Sample& sample : samples)
       for (int k = 0; k < 3; ++k)
         sample.point[k] -= m_fitted.origin()[k];

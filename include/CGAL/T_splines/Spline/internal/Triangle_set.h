@@ -5,12 +5,12 @@
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_TRIANGLE_SET_H
 
 #include <CGAL/T_splines/Spline/T_spline_deviation_report.h>
+#include <CGAL/T_splines/Spline/internal/Axis_parallel_box.h>
+#include <CGAL/T_splines/internal/converted_number.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_type_basic.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -42,10 +42,10 @@ struct Triangle_set {
 
   double extent() const
   {
-    CGAL::Bbox_3 box;
+    Axis_parallel_box<double> box;
     for (const Point_3& p : points)
-      box += p.bbox();
-    return points.empty() ? 0 : (std::max)({box.x_span(), box.y_span(), box.z_span()});
+      box.extend(p);
+    return box.extent();
   }
 };
 
@@ -60,7 +60,7 @@ constexpr double largest_measured_coordinate = 1e70;
 template <typename Point>
 Triangle_set::Point_3 point_in_doubles(const Point& p)
 {
-  return Triangle_set::Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  return in_doubles<Triangle_set::Point_3>(p);
 }
 
 inline bool is_within_range(const Triangle_set::Point_3& p)
