@@ -18,6 +18,7 @@
 #include <CGAL/T_splines/Spline/T_spline.h>
 #include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>
 #include <CGAL/T_splines/internal/converted_number.h>
+#include <CGAL/T_splines/internal/converted_similarity.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Default.h>

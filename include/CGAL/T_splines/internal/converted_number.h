@@ -4,8 +4,6 @@
 #ifndef CGAL_T_SPLINES_INTERNAL_CONVERTED_NUMBER_H
 #define CGAL_T_SPLINES_INTERNAL_CONVERTED_NUMBER_H
 
-#include <CGAL/T_splines/Similarity_2.h>
-
 #include <CGAL/number_type_basic.h>
 
 #include <type_traits>
@@ -24,14 +22,6 @@ To converted_number(const From& x)
     return To(x);
   else
     return To(CGAL::to_double(x));
-}
-
-// The same for the coefficients of a similarity.
-template <typename To, typename From>
-Similarity_2<To> converted_similarity(const Similarity_2<From>& t)
-{
-  return Similarity_2<To>(t.quarter_turns(), converted_number<To>(t.scale()), converted_number<To>(t.u()),
-                          converted_number<To>(t.v()));
 }
 
 // A point or vector of any kernel, with double coordinates.
