@@ -94,7 +94,7 @@ public:
     for (int v = 0; v < m_cells.number_of_vertices(); ++v) {
       const int node = m_cells.node_of_vertex(v);
       put(map, m_writer.vertex(v),
-          Traces::is_star(node) ? indexing.vertex(m_graph.stars().star(node / 2).vertex)
+          Traces::is_star(node) ? indexing.vertex(m_graph.stars().star(Traces::star_of_node(node)).vertex)
                                 : boost::graph_traits<TriangleMesh>::null_vertex());
     }
   }

@@ -77,7 +77,9 @@ public:
 
   static int star_node(const int star) { return 2 * star; }
   static int crossing_node(const int crossing) { return 2 * crossing + 1; }
-  static bool is_star(const int node) { return (node & 1) == 0; }
+  static bool is_star(const int node) { return node % 2 == 0; }
+  static int star_of_node(const int node) { return node / 2; }
+  static int crossing_of_node(const int node) { return node / 2; }
 
   explicit Motorcycle_traces(const Triangulation_connectivity& mesh)
     : first_chord_in_face(mesh.number_of_faces(), none),

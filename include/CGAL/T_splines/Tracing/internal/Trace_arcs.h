@@ -26,7 +26,8 @@ namespace internal {
 /// star has at a vertex. The slots of a crossing node refer to the chart of its chord, those of a star to the chart of
 /// the corner in which the ray lies. An arc leaves the chart of a slot and arrives in the chart of a slot.
 ///
-/// An arc has two sides: half-arc 2a runs with it and has its left side on its left, half-arc 2a + 1 runs against it.
+/// An arc has two half-arcs, numbered as the halfedges of an edge are: the first runs along it and has its left side on
+/// its left, the second runs against it.
 template <typename FT, typename TracingTraits>
 class Trace_arcs {
   using Layout = Seamless_layout<FT>;
@@ -88,16 +89,13 @@ public:
   /// The segment in which a chord leaves its face.
   int segment_of_chord(const int c) const { return m_segment_of_chord[c]; }
 
-  int number_of_slots(const int node) const
-  {
-    return Traces::is_star(node) ? m_stars.star(node / 2).number_of_rays : 4;
-  }
+  int number_of_slots(const int node) const { return Traces::is_star(node) ? star_at(node).number_of_rays : 4; }
 
   /// The half-arc that leaves a node by a slot, or none.
   int leaving(const int node, const int slot) const
   {
-    return Traces::is_star(node) ? m_half_arc_of_ray[m_stars.star(node / 2).first_ray + slot]
-                                 : m_half_arc_of_crossing[4 * (node / 2) + slot];
+    return Traces::is_star(node) ? m_half_arc_of_ray[star_at(node).first_ray + slot]
+                                 : m_half_arc_of_crossing[4 * Traces::crossing_of_node(node) + slot];
   }
 
   int start_node(const int half_arc) const
@@ -135,15 +133,15 @@ public:
   void carry_unit_clockwise(const int node, const int slot, FT& unit) const
   {
     if (Traces::is_star(node))
-      m_stars.for_each_scale_clockwise(node / 2, slot, [&](const FT& scale) { unit /= scale; });
+      m_stars.for_each_scale_clockwise(Traces::star_of_node(node), slot, [&](const FT& scale) { unit /= scale; });
   }
 
   /// Whether the next slot, clockwise, lies beyond a border.
   bool is_border_next(const int node, const int slot) const
   {
     if (Traces::is_star(node))
-      return slot == 0 && m_stars.star(node / 2).is_on_border;
-    const Chord& chord = m_traces.chords[m_traces.nodes[node / 2].chord]; // a border chord has the surface on its left
+      return slot == 0 && star_at(node).is_on_border;
+    const Chord& chord = m_traces.chords[crossing_at(node).chord]; // a border chord has the surface on its left
     return chord.is_along && slot == chord.direction && m_mesh.face(opposite(chord.halfedge)) == none;
   }
   int next_slot_clockwise(const int node, const int slot) const
@@ -155,7 +153,7 @@ public:
   bool is_straight(const int node) const
   {
     const int n = number_of_slots(node);
-    const bool is_border = Traces::is_star(node) && m_stars.star(node / 2).is_on_border;
+    const bool is_border = Traces::is_star(node) && star_at(node).is_on_border;
     if (n != (is_border ? 3 : 4))
       return false;
     int first = none, count = 0;
@@ -171,10 +169,10 @@ public:
   std::pair<FT, FT> coordinates_at_slot(const int node, const int slot) const
   {
     if (Traces::is_star(node)) {
-      const int corner = m_stars.corner_of_ray(node / 2, slot);
+      const int corner = m_stars.corner_of_ray(Traces::star_of_node(node), slot);
       return {m_layout.coordinate(corner, 0).value(), m_layout.coordinate(corner, 1).value()};
     }
-    const typename Traces::Crossing_node& crossing = m_traces.nodes[node / 2];
+    const typename Traces::Crossing_node& crossing = crossing_at(node);
     const Chord& chord = m_traces.chords[crossing.chord];
     std::pair<FT, FT> result(crossing.along.value(), chord.line.value());
     if (axis_along(chord.direction) == 1)
@@ -185,11 +183,16 @@ public:
   /// The direction of a slot in its chart.
   int direction_of_slot(const int node, const int slot) const
   {
-    return Traces::is_star(node) ? m_stars.ray(node / 2, slot).direction : slot;
+    return Traces::is_star(node) ? m_stars.ray(Traces::star_of_node(node), slot).direction : slot;
   }
 
 private:
   const Arc& arc(const int half_arc) const { return m_arcs[edge_of(half_arc)]; }
+  const typename Stars::Star& star_at(const int node) const { return m_stars.star(Traces::star_of_node(node)); }
+  const typename Traces::Crossing_node& crossing_at(const int node) const
+  {
+    return m_traces.nodes[Traces::crossing_of_node(node)];
+  }
 
   std::vector<Visit> sorted_visits(const int trace) const
   {
@@ -201,8 +204,7 @@ private:
         return m_traces.chords[a.chord].ordinal < m_traces.chords[b.chord].ordinal;
       if (a.is_at_end || b.is_at_end)
         return !a.is_at_end && b.is_at_end;
-      const CGAL::Comparison_result order =
-          m_traits.compare(m_traces.nodes[a.node / 2].along, m_traces.nodes[b.node / 2].along);
+      const CGAL::Comparison_result order = m_traits.compare(crossing_at(a.node).along, crossing_at(b.node).along);
       return order == (is_forward(m_traces.chords[a.chord].direction) ? CGAL::SMALLER : CGAL::LARGER);
     };
     std::stable_sort(visits.begin(), visits.end(), precedes);
@@ -227,12 +229,13 @@ private:
     const bool is_new_chord = visit.chord == none || visit.is_at_end;
     position = visit.chord == none ? 0 : m_traces.chords[visit.chord].ordinal + (visit.is_at_end ? 1 : 0);
     const Chord& chord = chord_of(trace, position);
-    if (Traces::is_star(visit.node))
-      return m_layout.coordinate(m_stars.corner_of_ray(visit.node / 2, visit.departure), axis_along(chord.direction))
-          .value();
+    if (Traces::is_star(visit.node)) {
+      const int corner = m_stars.corner_of_ray(Traces::star_of_node(visit.node), visit.departure);
+      return m_layout.coordinate(corner, axis_along(chord.direction)).value();
+    }
     if (visit.chord == none)
       return m_traces.coordinates[chord.start].value();
-    const FT along = m_traces.nodes[visit.node / 2].along.value();
+    const FT along = crossing_at(visit.node).along.value();
     return is_new_chord ? across(m_traces.chords[visit.chord], along, scale) : along;
   }
 
@@ -256,7 +259,7 @@ private:
         scale *= m_layout.transition(chord.halfedge).scale(); // the ray at the end is seen from the other side
       return m_layout.coordinate(chord.halfedge, axis).value();
     }
-    const typename Traces::Crossing_node& node = m_traces.nodes[visit.node / 2];
+    const typename Traces::Crossing_node& node = crossing_at(visit.node);
     const Chord& other = m_traces.chords[node.chord];
     if (!is_last || &other == &chord)
       return node.along.value();
@@ -304,8 +307,8 @@ private:
 
   void occupy(const int node, const int slot, const int half_arc)
   {
-    (Traces::is_star(node) ? m_half_arc_of_ray[m_stars.star(node / 2).first_ray + slot]
-                           : m_half_arc_of_crossing[4 * (node / 2) + slot]) = half_arc;
+    (Traces::is_star(node) ? m_half_arc_of_ray[star_at(node).first_ray + slot]
+                           : m_half_arc_of_crossing[4 * Traces::crossing_of_node(node) + slot]) = half_arc;
   }
 
   const Layout& m_layout;

@@ -41,8 +41,8 @@ public:
   Point_3 point_of_node(const int node) const
   {
     if (Traces::is_star(node))
-      return m_points.of_vertex(m_stars.star(node / 2).vertex);
-    const typename Traces::Crossing_node& crossing = m_traces.nodes[node / 2];
+      return m_points.of_vertex(m_stars.star(Traces::star_of_node(node)).vertex);
+    const typename Traces::Crossing_node& crossing = m_traces.nodes[Traces::crossing_of_node(node)];
     const typename Traces::Chord& chord = m_traces.chords[crossing.chord];
     if (crossing.is_at_end)
       return exit_point(chord);
