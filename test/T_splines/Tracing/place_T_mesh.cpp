@@ -8,6 +8,7 @@
 
 #include <CGAL/T_splines/T_mesh/Carried_samples.h>
 #include <CGAL/T_splines/T_mesh/Surface_face_size.h>
+#include <CGAL/T_splines/T_mesh/T_mesh.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 #include <CGAL/T_splines/T_mesh/refine_T_mesh.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
@@ -19,6 +20,8 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 using namespace hand_made_maps;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -172,5 +175,34 @@ TEMPLATE_TEST_CASE("After regularization and refinement the T-mesh lies on the s
     INFO(refined.text());
     CHECK(refined.success());
     CHECK(refined.extraordinary_vertices == regular.extraordinary_vertices);
+  }
+}
+
+TEST_CASE("A T-mesh with edges over cones or borders, or with foreign roots, does not fit the map", "[place]")
+{
+  using Changing = Changing_graph<Surface_mesh>;
+  using Status = CGAL::T_splines::T_mesh_placement_status;
+  const auto place = [](auto&& t_mesh, const Changing& graph, const Changing::Roots& roots) {
+    std::map<Surface_mesh::Vertex_index, Kernel::Point_3> points;
+    const auto report =
+        place_T_mesh(graph.traced.map, t_mesh, roots,
+                     CGAL::T_splines::parameters::output_vertex_point_map(boost::make_assoc_property_map(points)));
+    CHECK(report.success() == (report.status == Status::PLACED));
+    CHECK(std::string(message(report.status)) != "");
+    return report.status;
+  };
+  for (const Plain_map& map : {folded(net(cube(), 2, Pattern::CROSSES)), folded(bordered_l(2, Pattern::CROSSES))}) {
+    Changing graph(map);
+    CHECK(place(graph.traced.view(), graph, graph.roots) == Status::PLACED);
+    CHECK(place(CGAL::T_splines::T_mesh<Kernel::Point_3, Exact>(), graph, graph.roots) == Status::DOES_NOT_FIT);
+    for (auto& knot : graph.traced.knots)
+      knot.second *= 3; // over a cone, or beyond the border
+    CHECK(place(graph.traced.view(), graph, graph.roots) == Status::DOES_NOT_FIT);
+    for (auto& knot : graph.traced.knots)
+      knot.second /= 3;
+    for (auto& anchor : graph.traced.anchors)
+      anchor.second.triangle = Surface_mesh::Face_index(num_faces(graph.traced.mesh));
+    const Changing::Roots roots(graph.traced.graph, boost::make_assoc_property_map(graph.traced.anchors));
+    CHECK(place(graph.traced.view(), graph, roots) == Status::DOES_NOT_FIT);
   }
 }
