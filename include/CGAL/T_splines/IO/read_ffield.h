@@ -139,8 +139,8 @@ bool parse_ffield(Field_file_parser& parser, Field_of_vectors<TriangleMesh>& fie
   }
   for (int h = 0; h < mesh.number_of_halfedges(); ++h)
     if (mesh.face(h) != Triangulation_connectivity::null &&
-        mesh.face(mesh.opposite(h)) != Triangulation_connectivity::null &&
-        (matching[h] + matching[mesh.opposite(h)]) % 4 != 0)
+        mesh.face(internal::opposite(h)) != Triangulation_connectivity::null &&
+        (matching[h] + matching[internal::opposite(h)]) % 4 != 0)
       return parser.fail(Field_file_status::INCONSISTENT_MATCHING, mesh.face(h));
   field.set_matchings(std::move(matching));
   return true;

@@ -30,7 +30,6 @@ struct Triangulation_connectivity {
   std::vector<Index> m_face_halfedge; ///< per face: one of its halfedges
   Index m_number_of_vertices = 0;
 
-  static Index opposite(const Index h) { return internal::opposite(h); }
   Index next(const Index h) const { return m_next[h]; }
   Index previous(const Index h) const { return m_next[m_next[h]]; }
   Index target(const Index h) const { return m_target[h]; }

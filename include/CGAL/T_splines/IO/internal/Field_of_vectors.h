@@ -111,7 +111,7 @@ private:
   // As `holonomy_signature_of_cross_field()` describes it.
   int closest_matching(const int h) const
   {
-    const int g = m_connectivity.opposite(h);
+    const int g = opposite(h);
     if (m_connectivity.face(h) == Triangulation_connectivity::null ||
         m_connectivity.face(g) == Triangulation_connectivity::null)
       return 0;
