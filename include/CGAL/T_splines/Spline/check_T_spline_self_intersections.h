@@ -19,6 +19,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -57,17 +58,26 @@ T_spline_self_intersection_report find_new_self_intersections(const Surface& sur
   report.number_of_triangles = tessellation.number_of_faces();
   report.number_of_intersections = pairs.size();
   std::vector<int> found;
+  const auto corners = [&](const auto f) { return corners_of(f, tessellation, tessellation.points()); };
+  // A triangle may be in many pairs.
+  std::vector<std::optional<bool>> is_near_mesh(tessellation.number_of_faces());
+  const auto is_near = [&](const auto f) {
+    std::optional<bool>& result = is_near_mesh[f];
+    if (!result)
+      result = of_mesh().is_near(corners(f), tolerance);
+    return *result;
+  };
   for (const auto& pair : pairs) {
     if (!progress.go_on_after(100)) {
       report.status = T_spline_self_intersection_status::INTERRUPTED;
       return report;
     }
-    const auto a = corners_of(pair.first, tessellation, tessellation.points()),
-               b = corners_of(pair.second, tessellation, tessellation.points());
-    if (of_mesh().is_near(a, tolerance) && of_mesh().is_near(b, tolerance))
+    if (is_near(pair.first) && is_near(pair.second))
       continue;
-    if (report.number_of_new_intersections++ == 0)
+    if (report.number_of_new_intersections++ == 0) {
+      const auto a = corners(pair.first);
       report.place = CGAL::centroid(a[0], a[1], a[2]);
+    }
     for (const auto f : {pair.first, pair.second})
       found.push_back(surface.indexing().face_index(domain.faces[f]));
   }

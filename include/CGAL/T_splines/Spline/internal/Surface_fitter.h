@@ -380,20 +380,13 @@ private:
   // The sample of the cells at which the surface is closest.
   std::size_t closest_sample(const Box_tree<double>& tree, const std::array<FT, 3>& point) const
   {
-    std::size_t closest = 0;
-    double squared_distance = (std::numeric_limits<double>::max)();
     const std::array<double, 3> p = in_doubles(point);
-    tree.for_each_closer(
-        p, [&] { return squared_distance; },
-        [&](const std::size_t i) {
-          const std::array<double, 3> q = in_doubles(m_points[i]);
-          const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2], squared = x * x + y * y + z * z;
-          if (squared < squared_distance) {
-            squared_distance = squared;
-            closest = i;
-          }
-        });
-    return closest;
+    const auto squared_distance = [&](const std::size_t i) {
+      const std::array<double, 3> q = in_doubles(m_points[i]);
+      const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
+      return x * x + y * y + z * z;
+    };
+    return tree.closest(p, {(std::numeric_limits<double>::max)(), 0}, squared_distance).second;
   }
 
   Fitted m_fitted;

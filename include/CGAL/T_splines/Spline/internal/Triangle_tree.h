@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -55,21 +56,10 @@ public:
   const Triangle_3& triangle(const std::size_t i) const { return m_triangles[i]; }
 
   /// \pre there are triangles
-  Foot foot(const Point_3& p) const
-  {
-    Foot result;
-    search(p, result);
-    return result;
-  }
+  Foot foot(const Point_3& p) const { return foot_from(p, {std::numeric_limits<double>::infinity(), 0}); }
 
   /// The same; faster, if the triangle with the number `hint` is near p.
-  Foot foot(const Point_3& p, const std::size_t hint) const
-  {
-    Foot result;
-    offer(p, hint, result);
-    search(p, result);
-    return result;
-  }
+  Foot foot(const Point_3& p, const std::size_t hint) const { return foot_from(p, {squared_distance(p, hint), hint}); }
 
   Point_3 closest_point(const Point_3& p) const { return foot(p).point; }
 
@@ -88,18 +78,16 @@ public:
   }
 
 private:
-  void offer(const Point_3& p, const std::size_t i, Foot& best) const
+  double squared_distance(const Point_3& p, const std::size_t i) const
   {
-    const Point_3 q = closest_of_triangle(p, m_triangles[i]).point;
-    const double squared_distance = CGAL::squared_distance(p, q);
-    if (squared_distance < best.squared_distance)
-      best = {squared_distance, i, q};
+    return CGAL::squared_distance(p, closest_of_triangle(p, m_triangles[i]).point);
   }
 
-  void search(const Point_3& p, Foot& best) const
+  Foot foot_from(const Point_3& p, const std::pair<double, std::size_t>& start) const
   {
-    m_tree.for_each_closer(
-        {p.x(), p.y(), p.z()}, [&] { return best.squared_distance; }, [&](const std::size_t i) { offer(p, i, best); });
+    const auto [distance, i] =
+        m_tree.closest({p.x(), p.y(), p.z()}, start, [&](const std::size_t j) { return squared_distance(p, j); });
+    return {distance, i, closest_of_triangle(p, m_triangles[i]).point};
   }
 
   std::vector<Triangle_3> m_triangles;
