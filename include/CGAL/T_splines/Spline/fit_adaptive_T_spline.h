@@ -215,7 +215,7 @@ fit_adaptive_T_spline(const TMesh& t_mesh, const Carried_surface<T_mesh_graph<TM
 
   const internal::Mesh_indexing<T_mesh_graph<TMesh>> indexing(t_mesh.graph());
   T_mesh<typename Kernel::Point_3, typename Kernel::FT> working;
-  copy_T_mesh(t_mesh, working);
+  internal::copy_elements(indexing, Const_T_mesh_view_of<TMesh>(t_mesh), T_mesh_view_of<decltype(working)&>(working));
   using Fit = internal::Adaptive_fit<Kernel, std::decay_t<decltype(solver)>, decltype(reference)>;
   const typename Fit::Level_observer observer =
       choose_parameter(get_parameter(np, np_tags::level_observer), typename Fit::Level_observer());

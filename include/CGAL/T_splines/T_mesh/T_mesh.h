@@ -18,6 +18,34 @@
 namespace CGAL {
 namespace T_splines {
 
+namespace internal {
+
+/// Does what `copy_T_mesh()` does. \pre The graph of `to` is empty
+/// \tparam FromTMesh, ToTMesh models of `T_mesh_view`
+template <typename FromTMesh, typename ToTMesh>
+void copy_elements(const Mesh_indexing<typename FromTMesh::Graph>& indexing, const FromTMesh& from, const ToTMesh& to)
+{
+  using Knot = typename ToTMesh::FT;
+  using Graph = typename FromTMesh::Graph;
+  const Graph& graph = indexing.graph();
+  Face_graph_writer<typename ToTMesh::Graph> writer(to.graph(), indexing.number_of_vertices(),
+                                                    indexing.number_of_halfedges() / 2, indexing.number_of_faces());
+  for (int i = 0; i < indexing.number_of_halfedges(); ++i) {
+    const auto h = indexing.halfedge(i);
+    const bool is_border = face(h, graph) == boost::graph_traits<Graph>::null_face();
+    writer.join(i, indexing.halfedge_index(next(h, graph)), indexing.vertex_index(target(h, graph)),
+                is_border ? -1 : indexing.face_index(face(h, graph)));
+    if (is_border)
+      continue;
+    to.set_knot(writer.halfedge(i), converted_number<Knot>(from.knot(h)));
+    to.set_corner(writer.halfedge(i), from.is_corner(h));
+  }
+  for (int f = 0; f < indexing.number_of_faces(); ++f)
+    writer.set_halfedge_of_face(f, indexing.halfedge_index(halfedge(indexing.face(f), graph)));
+}
+
+} // namespace internal
+
 /// \ingroup PkgTSplinesTMesh
 /// copies the connectivity of a T-mesh, its knots and its corners. The elements keep their order; points are not copied.
 /// \tparam FromTMesh, ToTMesh models of `TMesh`, the graphs of `FaceListGraph` and `VertexListGraph`, that of `to` of
@@ -28,28 +56,11 @@ namespace T_splines {
 template <typename FromTMesh, typename ToTMesh>
 bool copy_T_mesh(const FromTMesh& from, ToTMesh&& to)
 {
-  using Graph = T_mesh_graph<FromTMesh>;
   const Const_T_mesh_view_of<FromTMesh> source(from);
   const T_mesh_view_of<ToTMesh> result(to);
-  using Knot = typename decltype(result)::FT;
-  const Graph& graph = source.graph();
   if (!internal::is_output_graph(result.graph()))
     return false;
-  const internal::Mesh_indexing<Graph> indexing(graph);
-  internal::Face_graph_writer<T_mesh_graph<ToTMesh>> writer(
-      result.graph(), indexing.number_of_vertices(), indexing.number_of_halfedges() / 2, indexing.number_of_faces());
-  for (int i = 0; i < indexing.number_of_halfedges(); ++i) {
-    const auto h = indexing.halfedge(i);
-    const bool is_border = face(h, graph) == boost::graph_traits<Graph>::null_face();
-    writer.join(i, indexing.halfedge_index(next(h, graph)), indexing.vertex_index(target(h, graph)),
-                is_border ? -1 : indexing.face_index(face(h, graph)));
-    if (is_border)
-      continue;
-    result.set_knot(writer.halfedge(i), internal::converted_number<Knot>(source.knot(h)));
-    result.set_corner(writer.halfedge(i), source.is_corner(h));
-  }
-  for (int f = 0; f < indexing.number_of_faces(); ++f)
-    writer.set_halfedge_of_face(f, indexing.halfedge_index(halfedge(indexing.face(f), graph)));
+  internal::copy_elements(internal::Mesh_indexing<T_mesh_graph<FromTMesh>>(source.graph()), source, result);
   return true;
 }
 
