@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
 #include <CGAL/T_splines/Spline/T_spline.h>
 #include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>
 #include <CGAL/T_splines/T_mesh/T_mesh.h>
@@ -103,6 +104,42 @@ struct Level_recorder {
 
 struct Stopping_visitor : T::Progress_visitor {
   bool go_on() const { return false; }
+};
+
+struct Failing_solver {
+  using FT = double;
+  using Matrix = T::Symmetric_sparse_matrix<double>;
+
+  bool analyze_pattern(const Matrix&) { return true; }
+  bool factorize(const Matrix&) { return false; }
+  bool solve(const std::vector<double>&, std::vector<double>&) const { return false; }
+};
+
+// Three squares around a corner of the border that turns inwards, which no refinement makes spline compatible.
+struct Inward_corner {
+  T::T_mesh<Point_3> t_mesh;
+  T::Carried_surface<Mesh> surface;
+
+  Inward_corner()
+  {
+    Mesh& graph = t_mesh.graph();
+    std::vector<Mesh::Vertex_index> v;
+    for (int i = 0; i < 8; ++i) { // (2, 2) is missing
+      v.push_back(graph.add_vertex(Point_3(i % 3, i / 3, 0.1 * (i % 3) * (i / 3))));
+      surface.add_point({graph.point(v.back()).x(), graph.point(v.back()).y(), graph.point(v.back()).z()});
+    }
+    for (const std::size_t i : {0, 1, 3}) {
+      const Mesh::Face_index f = graph.add_face(v[i], v[i + 1], v[i + 4], v[i + 3]);
+      std::vector<std::size_t> corners; // from the origin of the frame
+      for (const Mesh::Halfedge_index h : graph.halfedges_around_face(graph.halfedge(f))) {
+        put(t_mesh.knots(), h, 1);
+        put(t_mesh.corners(), h, true);
+        corners.push_back(graph.source(h));
+      }
+      surface.add_image(f, {surface.add_triangle({corners[0], corners[1], corners[2]}), {{{0, 0}, {1, 0}, {1, 1}}}});
+      surface.add_image(f, {surface.add_triangle({corners[0], corners[2], corners[3]}), {{{0, 0}, {1, 1}, {0, 1}}}});
+    }
+  }
 };
 
 } // namespace
@@ -263,6 +300,23 @@ TEST_CASE("Bad input of an adaptive fit is refused, and nothing is written")
     const auto report = refused(0.1, P::fairness(-1.));
     CHECK(report.status == Status::FIT_FAILED);
     CHECK(report.fit.status == T::T_spline_fit_status::INVALID_FAIRNESS);
+  }
+  SECTION("a solver that fails")
+  {
+    const auto report = refused(0.1, CGAL::parameters::sparse_linear_solver(Failing_solver()));
+    CHECK(report.status == Status::FIT_FAILED);
+    CHECK(report.fit.status == T::T_spline_fit_status::UNDERDETERMINED);
+    CHECK(report.levels.empty());
+  }
+  SECTION("a border that turns inwards")
+  {
+    const Inward_corner corner;
+    Result result;
+    const auto report = T::fit_adaptive_T_spline(corner.t_mesh, corner.surface, 0.1, result);
+    CHECK(report.status == Status::NOT_SPLINE_COMPATIBLE);
+    CHECK(report.levels.empty());
+    CHECK(result.number_of_control_points() == 0);
+    CHECK_FALSE(describe(report, corner.t_mesh.graph()).empty());
   }
   SECTION("knots")
   {
