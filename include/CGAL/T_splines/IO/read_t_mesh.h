@@ -122,7 +122,7 @@ T_mesh_reading_report read_t_mesh_text(const std::string_view content, TMesh& t_
 ///   \cgalParamNBegin{relative_tolerance}
 ///     \cgalParamDescription{as for `check_admissibility()`}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{1e-9}
+///     \cgalParamDefault{`default_relative_tolerance`, 1e-9}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{what hears of the progress and may stop the work}

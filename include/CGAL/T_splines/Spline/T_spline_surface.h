@@ -102,7 +102,7 @@ public:
   ///   \cgalParamNBegin{relative_tolerance}
   ///     \cgalParamDescription{as for `check_admissibility()`}
   ///     \cgalParamType{`double`}
-  ///     \cgalParamDefault{1e-9, and 0 for exact number types}
+  ///     \cgalParamDefault{`default_relative_tolerance`, 1e-9; 0 for exact number types}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   template <typename NamedParameters = CGAL::parameters::Default_named_parameters>

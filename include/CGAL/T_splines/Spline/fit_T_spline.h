@@ -143,7 +143,7 @@ auto control_point_weights(const Graph&, const NamedParameters& np)
 ///   \cgalParamNBegin{relative_tolerance}
 ///     \cgalParamDescription{as for `check_admissibility()`}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{1e-9, and 0 for exact number types}
+///     \cgalParamDefault{`default_relative_tolerance`, 1e-9; 0 for exact number types}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

@@ -162,7 +162,7 @@ Carried_surface<ToGraph> copied_surface(const Mesh_indexing<Graph>& indexing, co
 ///   \cgalParamNBegin{relative_tolerance}
 ///     \cgalParamDescription{as for `check_admissibility()`}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{1e-9, and 0 for exact number types}
+///     \cgalParamDefault{`default_relative_tolerance`, 1e-9; 0 for exact number types}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

@@ -189,7 +189,7 @@ Admissibility_report<T_mesh_graph<TMesh>> admissibility_report(const TMesh& t_me
 ///     \cgalParamDescription{the relative difference of opposite sides, and of a product from 1, that counts as
 ///       round-off}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{1e-9}
+///     \cgalParamDefault{`default_relative_tolerance`, 1e-9}
 ///     \cgalParamExtra{For exact number types it is 0, whatever is given.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}

@@ -110,7 +110,7 @@ spline_compatibility_report(const TMesh& t_mesh, const NamedParameters& np, Prog
 ///   \cgalParamNBegin{relative_tolerance}
 ///     \cgalParamDescription{as for `check_admissibility()`}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{1e-9, and 0 for exact number types}
+///     \cgalParamDefault{`default_relative_tolerance`, 1e-9; 0 for exact number types}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{what hears of the progress and may stop the work}
