@@ -5,13 +5,12 @@
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_CARRIED_SPLINE_H
 
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
+#include <CGAL/T_splines/internal/Closest_rectangle.h>
 
 #include <CGAL/number_type_basic.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -51,23 +50,22 @@ public:
   /// \param y, z its barycentric coordinates at the second and third corner
   Triangle_set::Point_3 position(const std::size_t triangle, const double y, const double z) const
   {
-    // The face in which the place lies deepest: it may lie on a side, up to round-off.
     int face = 0;
-    std::array<double, 2> place = {};
-    double depth = std::numeric_limits<double>::lowest();
-    for (std::size_t i = m_first[triangle]; i < m_first[triangle + 1]; ++i) {
+    std::array<double, 2> place = {}, size = {};
+    Closest_rectangle<double> closest;
+    for (std::size_t i = m_first[triangle]; i < m_first[triangle + 1] && !closest.contains_point(); ++i) {
       const auto& c = m_images[i].corners;
       const double u = c[0][0] + y * (c[1][0] - c[0][0]) + z * (c[2][0] - c[0][0]),
                    v = c[0][1] + y * (c[1][1] - c[0][1]) + z * (c[2][1] - c[0][1]);
       const auto f = m_compiled.indexing().face(m_images[i].face);
       const double width = CGAL::to_double(m_compiled.width(f)), height = CGAL::to_double(m_compiled.height(f));
-      const double d = (std::min)({u / width, 1 - u / width, v / height, 1 - v / height});
-      if (d > depth) {
-        depth = d;
+      if (closest.offer(u, v, width, height)) {
         face = m_images[i].face;
-        place = {std::clamp(u, 0., width), std::clamp(v, 0., height)};
+        place = {u, v};
+        size = {width, height};
       }
     }
+    clamp_to_rectangle(place[0], place[1], size[0], size[1]);
     return point_in_doubles(m_compiled.position(m_compiled.indexing().face(face), FT(place[0]), FT(place[1])));
   }
 
