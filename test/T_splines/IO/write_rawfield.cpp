@@ -36,7 +36,7 @@ TEMPLATE_TEST_CASE("what is written is read back", "", test::Surface_mesh, test:
 
 TEST_CASE("a field that cannot be written is an error, and a file is written whole or not at all")
 {
-  const test::Surface_mesh mesh = test::to_mesh<test::Surface_mesh>(test::torus(12, 9));
+  test::Surface_mesh mesh = test::to_mesh<test::Surface_mesh>(test::torus(12, 9));
   const auto field = test::field_around_axis(mesh);
   std::ostringstream stream, failed;
   failed.setstate(std::ios::badbit);
