@@ -21,8 +21,9 @@ public:
     CGAL_precondition_msg(n >= 2, "the resolution must be at least 2");
   }
 
-  /// The triangles are not farther from the surface than `distance`, a length, as a rule: the number of parts, at least
-  /// `least_parts` and at most `most_parts`, follows from how far the Bezier patches bend. \pre `distance` is positive
+  /// The triangles are not farther from the surface than `distance`, a length, as a rule. How long parts are follows from
+  /// how far the Bezier patches bend: along an edge, of those beside it; inside of a face, of those in a column or a row.
+  /// Each side of a face has at least `least_parts` and an edge at most `most_parts`. \pre `distance` is positive
   static Tessellation_resolution within(const double distance)
   {
     CGAL_precondition_msg(distance > 0, "the distance must be positive");
@@ -34,7 +35,7 @@ public:
   /// Every side of a face is divided into at least as many parts as this for the sake of a distance: with two, a side that
   /// ends where it begins would go there and back.
   static constexpr int least_parts = 3;
-  /// No side of a face is divided into more parts than this for the sake of a distance.
+  /// Neither an edge nor the inside of a face is divided into more parts than this for the sake of a distance.
   static constexpr int most_parts = 128;
 
   /// returns whether the resolution follows from a distance.

@@ -13,14 +13,16 @@
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -38,6 +40,98 @@ struct T_spline_tessellation {
   std::vector<std::array<std::size_t, 3>> triangles;                       ///< numbers of three places each
   std::vector<typename boost::graph_traits<Graph>::face_descriptor> faces; ///< of the T-mesh, per triangle
 };
+
+namespace internal {
+
+/// How finely the patches of a surface are to be divided, for their triangles to be within a distance.
+template <typename CompiledTSpline>
+std::vector<Division_rectangle> division_rectangles(const CompiledTSpline& surface, const double distance)
+{
+  std::vector<Division_rectangle> result;
+  for (std::size_t i = 0; i < surface.number_of_patches(); ++i) {
+    const auto domain = surface.domain(i);
+    const double width = CGAL::to_double(surface.width(domain.face)),
+                 height = CGAL::to_double(surface.height(domain.face));
+    Division_rectangle r{surface.indexing().face_index(domain.face),
+                         {CGAL::to_double(domain.u_begin) / width, CGAL::to_double(domain.v_begin) / height},
+                         {CGAL::to_double(domain.u_end) / width, CGAL::to_double(domain.v_end) / height},
+                         {}};
+    const std::array<double, 2> bending = bending_of_patch(surface.patch(i));
+    for (int k = 0; k < 2; ++k)
+      r.density[k] = std::sqrt(bending[k] / (4 * distance)) / (r.end[k] - r.begin[k]);
+    result.push_back(r);
+  }
+  return result;
+}
+
+/// Asks for twice as many parts where a triangle is turned away from the surface at all of its corners. This happens where
+/// lines curve within the surface, so that the sides of long and narrow triangles do not follow them closely enough.
+/// \return whether there is such a place
+template <typename CompiledTSpline>
+bool refine_at_turned_triangles(const CompiledTSpline& surface,
+                                const Face_tessellation<typename CompiledTSpline::FT>& faces,
+                                std::vector<Division_rectangle>& rectangles)
+{
+  constexpr double smallest_cosine = 0.7; // about 45 degrees: where triangles are small, only those turn so far
+  std::vector<typename CompiledTSpline::Jet> jets;
+  jets.reserve(faces.places().size());
+  for (const auto& place : faces.places())
+    jets.push_back(surface.jet(surface.indexing().face(place.face), place.u, place.v));
+  const auto is_turned = [](const auto& of_triangle, const auto& of_surface) {
+    const double cosine = CGAL::to_double(of_triangle * of_surface); // times a positive number
+    return cosine < 0 ||
+           cosine * cosine < smallest_cosine * smallest_cosine *
+                                 CGAL::to_double(of_triangle.squared_length() * of_surface.squared_length());
+  };
+  std::vector<std::array<bool, 2>> is_refined(surface.indexing().number_of_faces(), {false, false});
+  bool result = false;
+  for (std::size_t i = 0; i < faces.triangles().size(); ++i) {
+    const std::array<std::size_t, 3>& t = faces.triangles()[i];
+    const auto a = jets[t[1]].position - jets[t[0]].position, b = jets[t[2]].position - jets[t[0]].position;
+    const auto normal = CGAL::cross_product(a, b);
+    if (!std::all_of(t.begin(), t.end(), [&](const std::size_t c) { return is_turned(normal, jets[c].normal()); }))
+      continue;
+    result = true;
+    const auto longer = a.squared_length() < b.squared_length() ? b : a;
+    for (const std::size_t c : t)
+      if (faces.places()[c].face == faces.faces()[i]) { // others are in another frame
+        const auto u = longer * jets[c].du, v = longer * jets[c].dv;
+        const bool is_along_u = u * u * jets[c].dv.squared_length() > v * v * jets[c].du.squared_length();
+        is_refined[faces.faces()[i]][is_along_u ? 0 : 1] = true;
+      }
+  }
+  for (Division_rectangle& rectangle : rectangles)
+    for (int k = 0; k < 2; ++k)
+      rectangle.density[k] *= is_refined[rectangle.face][k] ? 2 : 1;
+  return result;
+}
+
+/// Triangulates the faces of a surface's T-mesh by a resolution.
+/// \param progress if it is interrupted, triangles are missing
+template <typename Surface>
+Face_tessellation<typename Surface::FT> tessellate_faces(const Surface& surface,
+                                                         const Tessellation_resolution& resolution, Progress& progress)
+{
+  using Tessellation = Face_tessellation<typename Surface::FT>;
+  const auto& t_mesh = surface.t_mesh_arrays();
+  if (!resolution.is_adaptive()) {
+    const int least = Tessellation::has_tip(t_mesh) ? 3 : 2;
+    return Tessellation(t_mesh, even_divisions(t_mesh, (std::max)(resolution.number_of_parts(), least)), progress);
+  }
+  constexpr int most_rounds = 4;
+  const auto& compiled = as_compiled(surface, progress);
+  std::vector<Division_rectangle> rectangles = division_rectangles(compiled, resolution.distance());
+  for (int round = 1;; ++round) {
+    Tessellation result(t_mesh,
+                        adaptive_divisions(t_mesh, rectangles, Tessellation_resolution::least_parts,
+                                           Tessellation_resolution::most_parts),
+                        progress);
+    if (round == most_rounds || !progress.go_on() || !refine_at_turned_triangles(compiled, result, rectangles))
+      return result;
+  }
+}
+
+} // namespace internal
 
 /// \ingroup PkgTSplinesSpline
 /// triangulates the parameter domain of a T-spline surface without cracks: triangles on both sides of an edge share its
@@ -61,8 +155,7 @@ tessellate_parameter_domain(const Surface& surface, const Tessellation_resolutio
   T_spline_tessellation<typename Surface::Graph, typename Surface::FT> result;
   if (!progress.go_on())
     return result;
-  const internal::Face_tessellation<typename Surface::FT> faces(
-      surface.t_mesh_arrays(), internal::divisions_of_faces(surface, resolution, progress), progress);
+  const auto faces = internal::tessellate_faces(surface, resolution, progress);
   progress.progress(0.7);
   if (!progress.go_on())
     return result;

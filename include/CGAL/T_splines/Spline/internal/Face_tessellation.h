@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -20,11 +21,206 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
+/// How many parts per unit of length the interval [0, 1] has to be divided into, at least, from place to place.
+class Division_density {
+public:
+  /// \param parts_per_unit in [begin, end], which is cut off at 0 and 1
+  void add(const double begin, const double end, const double parts_per_unit)
+  {
+    if ((std::min)(end, 1.) - (std::max)(begin, 0.) > smallest_step)
+      m_steps.push_back({(std::max)(begin, 0.), (std::min)(end, 1.), (std::min)(parts_per_unit, largest_density)});
+  }
+
+  /// Divides the interval into as few parts as the density allows, but not fewer than `least` nor more than `most`, and so
+  /// that it allows for about as much in all of them.
+  /// \return the ends of the parts, from 0 to 1
+  std::vector<double> division(const int least, const int most)
+  {
+    join_steps();
+    std::vector<double> ends = march(1, most);
+    if (number_of_parts(ends) < least) {
+      for (Step& step : m_steps)
+        step.density = (std::max)(step.density, static_cast<double>(least));
+      ends = march(1, most);
+    }
+    double enough = 1, too_little = 0; // lengths of parts, by what the density allows
+    const int n = (std::min)(number_of_parts(ends), most);
+    for (; number_of_parts(ends) > n; ends = march(enough, most)) {
+      too_little = enough;
+      enough *= 2;
+    }
+    constexpr int number_of_bisections = 12;
+    for (int i = 0; i < number_of_bisections; ++i) {
+      const double middle = (too_little + enough) / 2;
+      std::vector<double> shorter = march(middle, n);
+      (number_of_parts(shorter) > n ? too_little : enough) = middle;
+      if (number_of_parts(shorter) <= n)
+        ends.swap(shorter);
+    }
+    return ends;
+  }
+
+private:
+  struct Step {
+    double begin, end, density;
+  };
+
+  static int number_of_parts(const std::vector<double>& ends) { return static_cast<int>(ends.size()) - 1; }
+
+  // Makes the steps follow each other from 0 to 1, the largest density of those at the same place for each.
+  void join_steps()
+  {
+    std::vector<double> ends{0, 1};
+    for (const Step& step : m_steps) {
+      ends.push_back(step.begin);
+      ends.push_back(step.end);
+    }
+    std::sort(ends.begin(), ends.end());
+    std::vector<Step> joined;
+    for (const double end : ends) {
+      const double begin = joined.empty() ? 0 : joined.back().end;
+      if (end - begin > smallest_step)
+        joined.push_back({begin, end, 0});
+    }
+    joined.back().end = 1;
+    for (Step& piece : joined)
+      for (const Step& step : m_steps)
+        if (step.begin < (piece.begin + piece.end) / 2 && (piece.begin + piece.end) / 2 < step.end)
+          piece.density = (std::max)(piece.density, step.density);
+    m_steps.swap(joined);
+  }
+
+  // From 0 on, each part as long as the largest density in it allows, times a factor; it stops with more than `most` parts.
+  std::vector<double> march(const double factor, const int most) const
+  {
+    std::vector<double> ends{0};
+    std::size_t i = 0;
+    while (ends.back() < 1 && number_of_parts(ends) <= most) {
+      double density = 0, end = ends.back();
+      for (; i < m_steps.size(); ++i) {
+        density = (std::max)(density, m_steps[i].density);
+        const double reach = density > 0 ? ends.back() + factor / density : 1;
+        end = (std::min)((std::max)(reach, end), m_steps[i].end);
+        if (end < m_steps[i].end)
+          break;
+      }
+      ends.push_back(1 - end > smallest_step ? end : 1);
+    }
+    return ends;
+  }
+
+  static constexpr double smallest_step = 1e-9;   // what is less is round-off
+  static constexpr double largest_density = 1e12; // so that no part vanishes
+
+  std::vector<Step> m_steps;
+};
+
+/// Where the faces and the edges of a T-mesh are divided.
+struct T_mesh_divisions {
+  /// The ends of parts, from 0 to 1.
+  using Ends = std::vector<double>;
+
+  std::vector<std::array<Ends, 2>> faces; ///< along u and along v, at least two parts
+  std::vector<Ends> edges;                ///< from the source of halfedge 2e
+};
+
+/// The least number of parts of a halfedge, if the sides of its face are divided into at least `n` parts.
+template <typename FT>
+int parts_of_halfedge(const T_mesh_arrays<FT>& t_mesh, const int h, const int n)
+{
+  if (t_mesh.is_border(h))
+    return 1;
+  const double share = CGAL::to_double(FT(t_mesh.knot(h) / t_mesh.side_length(t_mesh.face(h), t_mesh.side(h))));
+  return (std::max)(static_cast<int>(std::ceil(n * share - 1e-6)), 1);
+}
+
+/// The same number of equal parts for all sides of faces, or some more at vertices inside of a side.
+template <typename FT>
+T_mesh_divisions even_divisions(const T_mesh_arrays<FT>& t_mesh, const int n)
+{
+  const auto even = [](const int number) {
+    T_mesh_divisions::Ends ends;
+    for (int i = 0; i <= number; ++i)
+      ends.push_back(static_cast<double>(i) / number);
+    return ends;
+  };
+  T_mesh_divisions result;
+  result.faces.assign(t_mesh.number_of_faces(), {even(n), even(n)});
+  for (int h = 0; h < t_mesh.number_of_halfedges(); h += 2)
+    result.edges.push_back(
+        even((std::max)(parts_of_halfedge(t_mesh, h, n), parts_of_halfedge(t_mesh, t_mesh.opposite(h), n))));
+  return result;
+}
+
+/// A part of a face, in units of its width and height, and how many parts per unit are wanted there in both directions.
+struct Division_rectangle {
+  int face;
+  std::array<double, 2> begin, end;
+  std::array<double, 2> density;
+};
+
+/// What the rectangles ask for in the outermost part of a face at a halfedge, in units of its edge, from the source of the
+/// even halfedge.
+/// \param faces how they are divided
+template <typename FT>
+void add_density_of_halfedge(const T_mesh_arrays<FT>& t_mesh, const int h,
+                             const std::vector<Division_rectangle>& rectangles,
+                             const std::vector<std::size_t>& first_of_face,
+                             const std::vector<std::array<std::vector<double>, 2>>& faces, Division_density& density)
+{
+  if (t_mesh.is_border(h))
+    return;
+  const int f = t_mesh.face(h), side = t_mesh.side(h), along = side % 2, across = 1 - along;
+  const bool is_at_end = side == 1 || side == 2, is_reversed = side >= 2;
+  const std::vector<double>& lines = faces[f][across];
+  const double length = CGAL::to_double(t_mesh.side_length(f, side));
+  const double begin = CGAL::to_double(t_mesh.begin(h)) / length, knot = CGAL::to_double(t_mesh.knot(h)) / length;
+  for (std::size_t i = first_of_face[f]; i < first_of_face[f + 1]; ++i) {
+    const Division_rectangle& r = rectangles[i];
+    if (is_at_end ? r.end[across] <= lines[lines.size() - 2] : r.begin[across] >= lines[1])
+      continue;
+    const double x = ((is_reversed ? 1 - r.end[along] : r.begin[along]) - begin) / knot;
+    const double y = ((is_reversed ? 1 - r.begin[along] : r.end[along]) - begin) / knot;
+    density.add(h % 2 == 0 ? x : 1 - y, h % 2 == 0 ? y : 1 - x, r.density[along] * knot);
+  }
+}
+
+/// Divides as far as rectangles ask for: a face by the most in each column and row, an edge by the most beside it, on both
+/// sides.
+/// \param rectangles cover the faces; those of a face follow each other, by increasing face
+/// \param least, most numbers of parts of the sides of a face
+template <typename FT>
+T_mesh_divisions adaptive_divisions(const T_mesh_arrays<FT>& t_mesh, const std::vector<Division_rectangle>& rectangles,
+                                    const int least, const int most)
+{
+  std::vector<std::size_t> first(t_mesh.number_of_faces() + 1, 0);
+  for (const Division_rectangle& rectangle : rectangles)
+    ++first[rectangle.face + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  T_mesh_divisions result;
+  for (int f = 0; f < t_mesh.number_of_faces(); ++f) {
+    std::array<Division_density, 2> density;
+    for (std::size_t i = first[f]; i < first[f + 1]; ++i)
+      for (int k = 0; k < 2; ++k)
+        density[k].add(rectangles[i].begin[k], rectangles[i].end[k], rectangles[i].density[k]);
+    result.faces.push_back({density[0].division(least, most), density[1].division(least, most)});
+  }
+  for (int h = 0; h < t_mesh.number_of_halfedges(); h += 2) {
+    Division_density density;
+    int least_of_edge = 1;
+    for (const int g : {h, t_mesh.opposite(h)}) {
+      add_density_of_halfedge(t_mesh, g, rectangles, first, result.faces, density);
+      least_of_edge = (std::max)(least_of_edge, parts_of_halfedge(t_mesh, g, least));
+    }
+    result.edges.push_back(density.division(least_of_edge, most));
+  }
+  return result;
+}
+
 /// A triangulation of the faces of a T-mesh whose vertices on an edge are the same from both sides, T-joints included.
 ///
-/// Each edge is divided evenly, so often that every side of a face has at least as many parts as the face asks for: m in
-/// the direction of u, n in that of v. Inside, a face has (m - 1) x (n - 1) points, and between them and the sides strips
-/// that are zipped together.
+/// Inside, a face that is divided into m x n parts has (m - 1) x (n - 1) points, and between them and the sides strips that
+/// are zipped together.
 template <typename FT>
 class Face_tessellation {
   using Arrays = T_mesh_arrays<FT>;
@@ -38,25 +234,20 @@ public:
     FT u, v;
   };
 
-  /// Into how many parts the sides of a face are divided, at least: those along u, and those along v.
-  using Divisions = std::array<int, 2>;
-
-  /// \param divisions of each face, at least 2
+  /// \param divisions with at least three parts in each direction if the T-mesh has a tip: see `has_tip()`
   /// \param progress if it is interrupted, triangles are missing
-  Face_tessellation(const Arrays& t_mesh, std::vector<Divisions> divisions, Progress& progress)
+  Face_tessellation(const Arrays& t_mesh, T_mesh_divisions divisions, Progress& progress)
     : m_t_mesh(t_mesh),
       m_divisions(std::move(divisions))
   {
-    if (has_tip())
-      for (Divisions& n : m_divisions)
-        n = {(std::max)(n[0], 3), (std::max)(n[1], 3)};
     add_vertices();
     add_edges();
+    find_tips();
     for (int f = 0; f < t_mesh.number_of_faces() && progress.go_on_after(work(f)); ++f) {
       add_face(f);
       m_faces.resize(m_triangles.size(), f);
     }
-    if (has_tip())
+    if (has_tip(t_mesh))
       remove_tips();
   }
 
@@ -66,34 +257,41 @@ public:
   /// The face in which each triangle lies.
   const std::vector<int>& faces() const { return m_faces; }
 
+  /// Whether a face has an edge twice, in succession: a tip is where it turns around.
+  static bool has_tip(const Arrays& t_mesh)
+  {
+    for (int h = 0; h < t_mesh.number_of_halfedges(); ++h)
+      if (!t_mesh.is_border(h) && is_after_tip(t_mesh, h))
+        return true;
+    return false;
+  }
+
 private:
-  // A point of a strip: where it is along the side, in parts of the side.
+  // A point of a strip: where it is along the side, from 0 to 1.
   struct Strip_point {
     double x;
     Index index;
   };
 
   // Whether the face of h has a tip where h begins.
-  bool is_after_tip(const int h) const { return m_t_mesh.prev(h) == Arrays::opposite(h); }
+  static bool is_after_tip(const Arrays& t_mesh, const int h) { return t_mesh.prev(h) == Arrays::opposite(h); }
 
-  bool has_tip() const
+  void find_tips()
   {
+    m_is_tip.assign(m_places.size(), false);
     for (int h = 0; h < m_t_mesh.number_of_halfedges(); ++h)
-      if (!m_t_mesh.is_border(h) && is_after_tip(h))
-        return true;
-    return false;
+      if (!m_t_mesh.is_border(h) && is_after_tip(m_t_mesh, h))
+        m_is_tip[m_vertex[m_t_mesh.source(h)]] = true;
   }
 
+  // Takes away the two triangles at each tip, which lie on each other.
   void remove_tips()
   {
-    std::vector<char> is_tip(m_places.size(), false);
-    for (int h = 0; h < m_t_mesh.number_of_halfedges(); ++h)
-      if (!m_t_mesh.is_border(h) && is_after_tip(h))
-        is_tip[m_vertex[m_t_mesh.source(h)]] = true;
+    m_is_tip.resize(m_places.size(), false);
     Index kept = 0;
     for (Index i = 0; i < m_triangles.size(); ++i) {
       const std::array<Index, 3> t = m_triangles[i];
-      if (is_tip[t[0]] || is_tip[t[1]] || is_tip[t[2]])
+      if (m_is_tip[t[0]] || m_is_tip[t[1]] || m_is_tip[t[2]])
         continue;
       m_triangles[kept] = t;
       m_faces[kept++] = m_faces[i];
@@ -104,7 +302,7 @@ private:
     Index next = 0;
     for (Index i = 0; i < m_places.size(); ++i) {
       number[i] = next;
-      if (!is_tip[i])
+      if (!m_is_tip[i])
         m_places[next++] = m_places[i];
     }
     m_places.resize(next);
@@ -134,60 +332,60 @@ private:
 
   void add_edges()
   {
-    const int number_of_edges = m_t_mesh.number_of_halfedges() / 2;
-    m_parts.resize(number_of_edges);
-    m_first.resize(number_of_edges);
-    for (int e = 0; e < number_of_edges; ++e) {
-      for (const int h : {2 * e, 2 * e + 1})
-        if (!m_t_mesh.is_border(h)) {
-          const FT side = m_t_mesh.side_length(m_t_mesh.face(h), m_t_mesh.side(h));
-          const double parts =
-              divisions_of_side(m_t_mesh.face(h), m_t_mesh.side(h)) * CGAL::to_double(FT(m_t_mesh.knot(h) / side));
-          m_parts[e] = (std::max)(m_parts[e], static_cast<int>(std::ceil(parts - 1e-6)));
-        }
-      m_parts[e] = (std::max)(m_parts[e], 1);
-      m_first[e] = m_places.size();
-      const int h = m_t_mesh.is_border(2 * e) ? 2 * e + 1 : 2 * e;
-      for (int i = 1; i < m_parts[e]; ++i) {
-        // In the order of the halfedge 2e.
-        const FT part = FT(h == 2 * e ? i : m_parts[e] - i) / FT(m_parts[e]);
+    for (int e = 0; e < m_t_mesh.number_of_halfedges() / 2; ++e) {
+      m_first.push_back(m_places.size());
+      const bool is_border = m_t_mesh.is_border(2 * e);
+      const int h = is_border ? 2 * e + 1 : 2 * e;
+      for (int i = 1; i < number_of_parts(e); ++i) {
+        const FT x = FT(is_border ? 1 - m_divisions.edges[e][i] : m_divisions.edges[e][i]);
         const auto p =
-            m_t_mesh.point_of_side(m_t_mesh.face(h), m_t_mesh.side(h), FT(m_t_mesh.begin(h) + part * m_t_mesh.knot(h)));
+            m_t_mesh.point_of_side(m_t_mesh.face(h), m_t_mesh.side(h), FT(m_t_mesh.begin(h) + x * m_t_mesh.knot(h)));
         add(m_t_mesh.face(h), p.first, p.second);
       }
     }
   }
 
-  // The points of a halfedge but for its target.
-  void append(const int h, std::vector<Index>& points) const
+  int number_of_parts(const int e) const { return static_cast<int>(m_divisions.edges[e].size()) - 1; }
+
+  // The points of a halfedge but for its target. \param begin, length where it is along its side, from 0 to 1
+  void append(const int h, const double begin, const double length)
   {
-    const int e = h / 2;
-    points.push_back(m_vertex[m_t_mesh.source(h)]);
-    for (int i = 1; i < m_parts[e]; ++i)
-      points.push_back(m_first[e] + (h % 2 == 0 ? i - 1 : m_parts[e] - i - 1));
+    const int e = h / 2, n = number_of_parts(e);
+    m_outer.push_back({begin, m_vertex[m_t_mesh.source(h)]});
+    for (int i = 1; i < n; ++i) {
+      const int j = h % 2 == 0 ? i : n - i;
+      const double x = m_divisions.edges[e][j];
+      m_outer.push_back({begin + length * (h % 2 == 0 ? x : 1 - x), m_first[e] + j - 1});
+    }
   }
 
   void add_face(const int f)
   {
     // Columns from left to right, rows from bottom to top.
     const Index first = m_places.size();
-    const int m = m_divisions[f][0], n = m_divisions[f][1];
-    for (int j = 1; j < n; ++j)
-      for (int i = 1; i < m; ++i)
-        add(f, FT(m_t_mesh.width(f) * FT(i) / FT(m)), FT(m_t_mesh.height(f) * FT(j) / FT(n)));
-    const auto inner = [&](const int i, const int j) { return first + (m - 1) * (j - 1) + (i - 1); };
-    for (int j = 1; j + 1 < n; ++j)
-      for (int i = 1; i + 1 < m; ++i) {
+    const T_mesh_divisions::Ends &u = m_divisions.faces[f][0], &v = m_divisions.faces[f][1];
+    const Index m = u.size() - 1, n = v.size() - 1;
+    for (Index j = 1; j < n; ++j)
+      for (Index i = 1; i < m; ++i)
+        add(f, FT(m_t_mesh.width(f) * FT(u[i])), FT(m_t_mesh.height(f) * FT(v[j])));
+    const auto inner = [&](const Index i, const Index j) { return first + (m - 1) * (j - 1) + (i - 1); };
+    for (Index j = 1; j + 1 < n; ++j)
+      for (Index i = 1; i + 1 < m; ++i) {
         m_triangles.push_back({inner(i, j), inner(i + 1, j), inner(i + 1, j + 1)});
         m_triangles.push_back({inner(i, j), inner(i + 1, j + 1), inner(i, j + 1)});
       }
     for (int side = 0; side < 4; ++side) {
       m_inner.clear();
-      for (int k = 1; k < divisions_of_side(f, side); ++k)
-        m_inner.push_back({static_cast<double>(k), side == 0   ? inner(k, 1)
-                                                   : side == 1 ? inner(m - 1, k)
-                                                   : side == 2 ? inner(m - k, n - 1)
-                                                               : inner(1, n - k)});
+      const Index number = side % 2 == 0 ? m : n;
+      for (Index k = 1; k < number; ++k)
+        m_inner.push_back({side == 0   ? u[k]
+                           : side == 1 ? v[k]
+                           : side == 2 ? 1 - u[m - k]
+                                       : 1 - v[n - k],
+                           side == 0   ? inner(k, 1)
+                           : side == 1 ? inner(m - 1, k)
+                           : side == 2 ? inner(m - k, n - 1)
+                                       : inner(1, n - k)});
       find_outer(f, side);
       zip();
     }
@@ -196,56 +394,54 @@ private:
   void find_outer(const int f, const int side)
   {
     m_outer.clear();
-    const double size = CGAL::to_double(m_t_mesh.side_length(f, side)), parts = divisions_of_side(f, side);
+    const double size = CGAL::to_double(m_t_mesh.side_length(f, side));
     for (int h = m_t_mesh.first_of_side(f, side);; h = m_t_mesh.next(h)) {
-      m_points.clear();
-      append(h, m_points);
-      const double begin = CGAL::to_double(m_t_mesh.begin(h)), knot = CGAL::to_double(m_t_mesh.knot(h));
-      for (std::size_t i = 0; i < m_points.size(); ++i)
-        m_outer.push_back(
-            {parts * (begin + knot * static_cast<double>(i) / static_cast<double>(m_points.size())) / size,
-             m_points[i]});
+      append(h, CGAL::to_double(m_t_mesh.begin(h)) / size, CGAL::to_double(m_t_mesh.knot(h)) / size);
       if (m_t_mesh.is_corner(h)) {
-        m_outer.push_back({parts, m_vertex[m_t_mesh.target(h)]});
+        m_outer.push_back({1, m_vertex[m_t_mesh.target(h)]});
         return;
       }
     }
   }
 
-  // Triangulates the strip between the outer points, along the side, and the inner ones to their left.
+  // Triangulates the strip between the outer points, along the side, and the inner ones to their left. A tip gets one inner
+  // point, and the outer point after it another one: triangles on both sides of the edge would have the same corners.
   void zip()
   {
     std::size_t o = 0, i = 0;
-    while (o + 1 < m_outer.size() || i + 1 < m_inner.size()) {
-      const bool is_outer_step =
-          i + 1 == m_inner.size() ||
-          (o + 1 < m_outer.size() && m_outer[o].x + m_outer[o + 1].x <= m_inner[i].x + m_inner[i + 1].x);
-      if (is_outer_step) {
+    const std::size_t last_o = m_outer.size() - 1, last_i = m_inner.size() - 1;
+    bool has_left_tip = false; // in the last step
+    while (o < last_o || i < last_i) {
+      const auto is_outer_point_first = [&] {
+        if (m_is_tip[m_outer[o].index])
+          return true;
+        const bool is_before_last_tip = o + 1 == last_o && m_is_tip[m_outer[last_o].index];
+        return !has_left_tip && !is_before_last_tip &&
+               m_outer[o].x + m_outer[o + 1].x <= m_inner[i].x + m_inner[i + 1].x;
+      };
+      if (i == last_i || (o < last_o && is_outer_point_first())) {
         m_triangles.push_back({m_outer[o].index, m_outer[o + 1].index, m_inner[i].index});
+        has_left_tip = m_is_tip[m_outer[o].index];
         ++o;
       }
       else {
         m_triangles.push_back({m_outer[o].index, m_inner[i + 1].index, m_inner[i].index});
+        has_left_tip = false;
         ++i;
       }
     }
   }
 
-  std::size_t work(const int f) const
-  {
-    return static_cast<std::size_t>(m_divisions[f][0]) * static_cast<std::size_t>(m_divisions[f][1]);
-  }
-  int divisions_of_side(const int f, const int side) const { return m_divisions[f][side % 2]; }
+  std::size_t work(const int f) const { return m_divisions.faces[f][0].size() * m_divisions.faces[f][1].size(); }
 
   const Arrays& m_t_mesh;
-  std::vector<Divisions> m_divisions; // per face
+  T_mesh_divisions m_divisions;
   std::vector<Place> m_places;
   std::vector<std::array<Index, 3>> m_triangles;
   std::vector<int> m_faces;             // per triangle
   std::vector<Index> m_vertex, m_first; // per vertex, per edge
-  std::vector<int> m_parts;             // per edge
   std::vector<Strip_point> m_outer, m_inner;
-  std::vector<Index> m_points;
+  std::vector<char> m_is_tip; // per place
 };
 
 } // namespace internal
