@@ -122,18 +122,16 @@ private:
   template <typename Parser>
   typename Parser::Report read_number(Parser& parser, const Ply_property& property)
   {
-    const Mesh_reading_report report = read(property.type);
-    return report.success() ? parser.take(property, m_value) : parser.converted(report);
+    return read(property.type) ? parser.take(property, m_value) : parser.converted(m_failure);
   }
 
   template <typename Parser>
   typename Parser::Report read_list(Parser& parser, const Ply_property& property)
   {
-    Mesh_reading_report length = read(property.size_type);
-    if (length.success() && !is_ply_index(m_value))
-      length = report_here(Mesh_reading_status::SYNTAX_ERROR, found());
-    if (!length.success())
-      return parser.converted(length);
+    if (!read(property.size_type))
+      return parser.converted(m_failure);
+    if (!is_ply_index(m_value))
+      return parser.converted(report_here(Mesh_reading_status::SYNTAX_ERROR, found()));
     const auto n = static_cast<std::size_t>(m_value);
     typename Parser::Report report = parser.begin_list(property, n);
     for (std::size_t i = 0; report.success() && i < n; ++i) {
@@ -144,22 +142,27 @@ private:
     return report;
   }
 
-  /// Reads a number, finite or not.
-  Mesh_reading_report read(const Ply_type type)
+  /// Reads a number, finite or not. \return `false`, with `m_failure`, if there is none
+  bool read(const Ply_type type)
   {
     if (!m_header.is_text()) {
       if (m_bytes.remaining_bytes() < size_of(type))
-        return report_here(Mesh_reading_status::TRUNCATED);
+        return fail(report_here(Mesh_reading_status::TRUNCATED));
       m_value = read_binary(m_bytes, type);
-      return Mesh_reading_report();
+      return true;
     }
     if (m_rows == Rows::ARE_LINES && !m_text.next_token(m_token))
-      return report_missing_token(m_text, missing_number);
+      return fail(report_missing_token(m_text, missing_number));
     if (m_rows == Rows::MAY_CONTINUE && !m_text.next_token_over_lines(m_token))
-      return report_here(Mesh_reading_status::TRUNCATED);
-    return parse_number(m_token, m_value) != Token_kind::NO_NUMBER
-               ? Mesh_reading_report()
-               : report_here(Mesh_reading_status::SYNTAX_ERROR, m_token);
+      return fail(report_here(Mesh_reading_status::TRUNCATED));
+    return parse_number(m_token, m_value) != Token_kind::NO_NUMBER ||
+           fail(report_here(Mesh_reading_status::SYNTAX_ERROR, m_token));
+  }
+
+  bool fail(const Mesh_reading_report& report)
+  {
+    m_failure = report;
+    return false;
   }
 
   Mesh_reading_report check_line_end()
@@ -194,6 +197,7 @@ private:
   std::size_t m_line_of_row = 0;
   double m_value = 0;       // the last number
   std::string_view m_token; // likewise, in files made of text
+  Mesh_reading_report m_failure;
 };
 
 } // namespace internal
