@@ -127,7 +127,7 @@ TEST_CASE("the turning around a vertex is its angle, and reversing a strip rever
   for (const std::vector<int>& loop : closed.short_loops(nobody)) {
     std::vector<int> reverse;
     for (auto h = loop.rbegin(); h != loop.rend(); ++h)
-      reverse.push_back(connectivity.opposite(*h));
+      reverse.push_back(in::opposite(*h));
     CHECK(in::strip_turning(connectivity, reverse, angle) == Approx(-in::strip_turning(connectivity, loop, angle)));
   }
 }
