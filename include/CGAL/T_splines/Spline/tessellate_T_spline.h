@@ -6,7 +6,7 @@
 
 #include <CGAL/T_splines/Spline/Tessellation_resolution.h>
 #include <CGAL/T_splines/Spline/internal/Face_tessellation.h>
-#include <CGAL/T_splines/Spline/internal/divisions_of_faces.h>
+#include <CGAL/T_splines/Spline/internal/T_mesh_divisions.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/graph_checks.h>
@@ -42,27 +42,6 @@ struct T_spline_tessellation {
 };
 
 namespace internal {
-
-/// How finely the patches of a surface are to be divided, for their triangles to be within a distance.
-template <typename CompiledTSpline>
-std::vector<Division_rectangle> division_rectangles(const CompiledTSpline& surface, const double distance)
-{
-  std::vector<Division_rectangle> result;
-  for (std::size_t i = 0; i < surface.number_of_patches(); ++i) {
-    const auto domain = surface.domain(i);
-    const double width = CGAL::to_double(surface.width(domain.face)),
-                 height = CGAL::to_double(surface.height(domain.face));
-    Division_rectangle r{surface.indexing().face_index(domain.face),
-                         {CGAL::to_double(domain.u_begin) / width, CGAL::to_double(domain.v_begin) / height},
-                         {CGAL::to_double(domain.u_end) / width, CGAL::to_double(domain.v_end) / height},
-                         {}};
-    const std::array<double, 2> bending = bending_of_patch(surface.patch(i));
-    for (int k = 0; k < 2; ++k)
-      r.density[k] = std::sqrt(bending[k] / (4 * distance)) / (r.end[k] - r.begin[k]);
-    result.push_back(r);
-  }
-  return result;
-}
 
 /// Asks for twice as many parts where a triangle is turned away from the surface at all of its corners. This happens where
 /// lines curve within the surface, so that the sides of long and narrow triangles do not follow them closely enough.

@@ -34,8 +34,7 @@ public:
   /// \param progress asked by all searches; it must outlive this. If it is interrupted, what is found means nothing
   Cone_paths(const Triangulation_connectivity& mesh, const std::vector<double>& edge_length,
              const std::vector<int>& vertices, const std::vector<std::vector<int>>& strips, Progress& progress)
-    : m_mesh(mesh),
-      m_vertices(vertices),
+    : m_vertices(vertices),
       m_number_of_loops(strips.size()),
       m_distances(mesh, edge_length),
       m_cone_of_vertex(mesh.number_of_vertices(), null),
@@ -120,7 +119,6 @@ private:
     }
   }
 
-  const Triangulation_connectivity& m_mesh;
   const std::vector<int>& m_vertices;
   std::size_t m_number_of_loops;
   Edge_distances m_distances;

@@ -146,7 +146,7 @@ private:
     m_fitted.set_origin({FT(m_box.middle(0)), FT(m_box.middle(1)), FT(m_box.middle(2))});
     double area = 0;
     m_triangles.clear();
-    for (const Carried_sample& sample : m_cells) {
+    for (const Sampled_place& sample : m_cells) {
       m_triangles.push_back(sample.triangle);
       area += sample.area;
     }
@@ -156,7 +156,7 @@ private:
   void aim_from(const Start& start, std::vector<Sample>& aims)
   {
     m_points.clear();
-    for (const Carried_sample& s : m_cells)
+    for (const Sampled_place& s : m_cells)
       if (m_progress.go_on_after(10))
         m_points.push_back(relative(start.position(s.triangle, s.barycentric[0], s.barycentric[1])));
     if (!m_progress.is_interrupted())
@@ -167,7 +167,7 @@ private:
   bool has_samples() const
   {
     std::vector<char> has_sample(m_fitted.surface().t_mesh_arrays().number_of_faces(), 0);
-    for (const Carried_sample& sample : m_cells)
+    for (const Sampled_place& sample : m_cells)
       has_sample[sample.face] = sample.area > 0 || has_sample[sample.face] != 0;
     return std::all_of(has_sample.begin(), has_sample.end(), [](const char has) { return has != 0; });
   }
@@ -189,12 +189,12 @@ private:
   std::vector<Sample> fitting_samples() const
   {
     std::vector<Sample> result;
-    const auto add = [&](const Carried_sample& s, const double factor) {
+    const auto add = [&](const Sampled_place& s, const double factor) {
       result.push_back({s.face, FT(s.u), FT(s.v), relative(s.point), FT(factor * std::sqrt(s.area * m_mean_area))});
     };
-    for (const Carried_sample& s : m_cells)
+    for (const Sampled_place& s : m_cells)
       add(s, 1);
-    for (const Carried_sample& s : m_edges)
+    for (const Sampled_place& s : m_edges)
       add(s, 0.25);
     return result;
   }
@@ -269,7 +269,7 @@ private:
     const FT factor = FT(fairness * m_mean_area * m_mean_area);
     const std::size_t number_of_faces = m_fitted.surface().t_mesh_arrays().number_of_faces();
     std::vector<FT> areas(number_of_faces, FT(0)), stiffness;
-    for (const Carried_sample& s : m_cells)
+    for (const Sampled_place& s : m_cells)
       areas[s.face] += FT(s.area);
     for (const double x : m_stiffness)
       stiffness.push_back(factor * FT(x));
@@ -284,7 +284,7 @@ private:
     double sum = 0, area = 0;
     m_feet.clear();
     for (std::size_t i = 0; i < m_cells.size() && m_progress.go_on_after(10); ++i) {
-      const Carried_sample& sample = m_cells[i];
+      const Sampled_place& sample = m_cells[i];
       const Point_3 q = absolute(m_points[i]);
       m_feet.push_back(m_walk.closest(q, m_triangles[i]));
       sum += sample.area * m_feet[i].squared_distance;
@@ -309,7 +309,7 @@ private:
       return;
     const auto& indexing = m_fitted.surface().indexing();
     for (std::size_t i = 0; i < m_cells.size() && m_progress.go_on_after(10); ++i) {
-      const Carried_sample& s = m_cells[i];
+      const Sampled_place& s = m_cells[i];
       Face_fit& face = m_faces[s.face];
       const auto n = compiled.unit_normal(indexing.face(s.face), FT(s.u), FT(s.v));
       const Vector_3 normal = internal::in_doubles<Vector_3>(n);
@@ -341,7 +341,7 @@ private:
       const auto p = compiled.position(indexing.face(sample.face), sample.u, sample.v);
       return std::sqrt(CGAL::squared_distance(absolute({p.x(), p.y(), p.z()}), absolute(sample.point)));
     };
-    const auto measure_sample = [&](const Carried_sample& s) {
+    const auto measure_sample = [&](const Sampled_place& s) {
       constexpr std::size_t work = 50;
       if (!m_progress.go_on_after(work))
         return;
@@ -350,7 +350,7 @@ private:
       if (distance > tolerance) {
         if (!tree)
           tree = tree_of_points();
-        const Carried_sample& near = m_cells[closest_sample(*tree, sample.point)];
+        const Sampled_place& near = m_cells[closest_sample(*tree, sample.point)];
         Sample other{near.face, FT(near.u), FT(near.v), sample.point, FT(0)};
         const double other_distance = corrected_distance(other);
         if (other_distance < distance) {
@@ -396,7 +396,7 @@ private:
   std::vector<double> m_stiffness; // of the faces
   Axis_parallel_box<double> m_box;
   double m_mean_area = 0; // of a sample of the cells
-  std::vector<Carried_sample> m_cells, m_edges, m_corners;
+  std::vector<Sampled_place> m_cells, m_edges, m_corners;
   std::vector<std::array<FT, 3>> m_control_points; // relative to the origin
   std::vector<std::array<FT, 3>> m_points;         // of the surface, at the samples, those of the cells first; likewise
   std::vector<std::size_t> m_triangles;            // per sample of the cells: that of the point that it aims at

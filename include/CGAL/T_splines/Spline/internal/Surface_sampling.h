@@ -24,7 +24,7 @@ namespace T_splines {
 namespace internal {
 
 /// A point of a carried surface with its place in a T-mesh.
-struct Carried_sample {
+struct Sampled_place {
   int face;
   double u, v;
   std::size_t triangle; ///< of the surface, on which the point lies
@@ -57,9 +57,9 @@ public:
 
   /// A grid of samples in each Bezier cell, at least `fewest` x `fewest`; more where the triangles are small against
   /// the cells, but not more than twice as many in each direction.
-  std::vector<Carried_sample> cells(const int fewest)
+  std::vector<Sampled_place> cells(const int fewest)
   {
-    std::vector<Carried_sample> samples;
+    std::vector<Sampled_place> samples;
     for (int f = 0; f < m_basis.t_mesh().number_of_faces() && m_progress.go_on_after(work_per_face); ++f) {
       enter(f);
       m_progress.go_on_after(work_per_image * images().size());
@@ -71,9 +71,9 @@ public:
   }
 
   /// The points of the surface that triangles have as corners, each once.
-  std::vector<Carried_sample> corners()
+  std::vector<Sampled_place> corners()
   {
-    std::vector<Carried_sample> samples;
+    std::vector<Sampled_place> samples;
     std::vector<char> is_taken(m_surface.points().size(), 0);
     for (int f = 0; f < m_basis.t_mesh().number_of_faces() && m_progress.go_on_after(work_per_face); ++f) {
       enter(f);
@@ -95,10 +95,10 @@ public:
 
   /// Points of those edges of the surface at which the normal turns by more than `largest_turn` (in radians), about
   /// `per_cell` of them where an edge crosses a cell.
-  std::vector<Carried_sample> sharp_edges(const double largest_turn, const double per_cell)
+  std::vector<Sampled_place> sharp_edges(const double largest_turn, const double per_cell)
   {
     const double cosine = std::cos(largest_turn);
-    std::vector<Carried_sample> samples;
+    std::vector<Sampled_place> samples;
     for (int f = 0; f < m_basis.t_mesh().number_of_faces() && m_progress.go_on_after(work_per_face); ++f) {
       enter(f);
       m_progress.go_on_after(work_per_image * images().size());
@@ -199,7 +199,7 @@ private:
             consider(image, u[i], v[j], found[i * v.size() + j]);
   }
 
-  void add_grid(const int n, std::vector<Carried_sample>& samples)
+  void add_grid(const int n, std::vector<Sampled_place>& samples)
   {
     const std::vector<double> u = middles(m_u, n), v = middles(m_v, n);
     find_triangles(u, v, m_found);
@@ -254,7 +254,7 @@ private:
   }
 
   void add_edge(const Image& image, const std::size_t i, const double per_cell,
-                std::vector<Carried_sample>& samples) const
+                std::vector<Sampled_place>& samples) const
   {
     const Parameters &a = image.corners[i], &b = image.corners[(i + 1) % 3];
     const std::array<double, 2> size = {m_width, m_height};
