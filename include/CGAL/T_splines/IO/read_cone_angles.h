@@ -26,10 +26,14 @@ namespace T_splines {
 
 namespace internal {
 
-template <typename FaceGraph>
-void parse_cone_angles(Field_file_parser& parser, const FaceGraph& mesh,
-                       std::vector<std::pair<typename boost::graph_traits<FaceGraph>::vertex_descriptor, int>>& cones)
+// \param source an `std::istream` or the name of a file
+template <typename Source, typename FaceGraph>
+Field_file_report
+parse_cone_angles(Source& source, const FaceGraph& mesh,
+                  std::vector<std::pair<typename boost::graph_traits<FaceGraph>::vertex_descriptor, int>>& cones)
 {
+  Progress progress; // such files are short
+  Field_file_parser parser(source, progress);
   using vertex_descriptor = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
   const std::vector<vertex_descriptor> vertex_of_index(vertices(mesh).begin(), vertices(mesh).end());
   std::vector<std::pair<vertex_descriptor, int>> result;
@@ -38,7 +42,7 @@ void parse_cone_angles(Field_file_parser& parser, const FaceGraph& mesh,
     double angle = 0;
     if (!parser.read_number(angle)) {
       parser.at_index(index);
-      return;
+      return parser.report();
     }
     if (index >= vertex_of_index.size())
       continue; // only counted
@@ -48,7 +52,7 @@ void parse_cone_angles(Field_file_parser& parser, const FaceGraph& mesh,
     else if (k < 1)
       parser.fail(Field_file_status::NON_POSITIVE_CONE, index, 1, static_cast<long long>(k));
     if (!parser.success())
-      return;
+      return parser.report();
     if (k != (CGAL::is_border(vertex_of_index[index], mesh) ? 2 : 4))
       result.emplace_back(vertex_of_index[index], static_cast<int>(k));
   }
@@ -57,6 +61,7 @@ void parse_cone_angles(Field_file_parser& parser, const FaceGraph& mesh,
                 static_cast<long long>(index));
   if (parser.success())
     cones.swap(result);
+  return parser.report();
 }
 
 } // namespace internal
@@ -76,10 +81,7 @@ Field_file_report
 read_cone_angles(std::istream& input, const FaceGraph& mesh,
                  std::vector<std::pair<typename boost::graph_traits<FaceGraph>::vertex_descriptor, int>>& cones)
 {
-  internal::Progress progress; // such files are short
-  internal::Field_file_parser parser(input, progress);
-  internal::parse_cone_angles(parser, mesh, cones);
-  return parser.report();
+  return internal::parse_cone_angles(input, mesh, cones);
 }
 
 /// \ingroup PkgTSplinesIO
@@ -92,10 +94,7 @@ Field_file_report
 read_cone_angles(const std::string& filename, const FaceGraph& mesh,
                  std::vector<std::pair<typename boost::graph_traits<FaceGraph>::vertex_descriptor, int>>& cones)
 {
-  internal::Progress progress; // such files are short
-  internal::Field_file_parser parser(filename, progress);
-  internal::parse_cone_angles(parser, mesh, cones);
-  return parser.report();
+  return internal::parse_cone_angles(filename, mesh, cones);
 }
 
 } // namespace T_splines

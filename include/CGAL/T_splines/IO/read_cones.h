@@ -22,10 +22,14 @@ namespace T_splines {
 
 namespace internal {
 
-template <typename VertexListGraph>
-void parse_cones(Field_file_parser& parser, const VertexListGraph& mesh,
-                 std::vector<std::pair<typename boost::graph_traits<VertexListGraph>::vertex_descriptor, int>>& cones)
+// \param source an `std::istream` or the name of a file
+template <typename Source, typename VertexListGraph>
+Field_file_report
+parse_cones(Source& source, const VertexListGraph& mesh,
+            std::vector<std::pair<typename boost::graph_traits<VertexListGraph>::vertex_descriptor, int>>& cones)
 {
+  Progress progress; // such files are short
+  Field_file_parser parser(source, progress);
   using vertex_descriptor = typename boost::graph_traits<VertexListGraph>::vertex_descriptor;
   const std::vector<vertex_descriptor> vertex_of_index(vertices(mesh).begin(), vertices(mesh).end());
   std::vector<char> is_listed(vertex_of_index.size(), 0);
@@ -34,7 +38,7 @@ void parse_cones(Field_file_parser& parser, const VertexListGraph& mesh,
   while (parser.has_token()) {
     long long index = 0, k = 0;
     if (!parser.read_integer(index) || !parser.read_integer(k))
-      return;
+      return parser.report();
     if (index < 0 || index >= number_of_vertices)
       parser.fail(Field_file_status::INDEX_OUT_OF_RANGE, Field_file_report::none, number_of_vertices, index);
     else if (k < 1)
@@ -44,12 +48,13 @@ void parse_cones(Field_file_parser& parser, const VertexListGraph& mesh,
     else if (is_listed[index])
       parser.fail(Field_file_status::DUPLICATE_CONE, static_cast<std::size_t>(index));
     if (!parser.success())
-      return;
+      return parser.report();
     is_listed[index] = 1;
     result.emplace_back(vertex_of_index[index], static_cast<int>(k));
   }
   if (parser.success())
     cones.swap(result);
+  return parser.report();
 }
 
 } // namespace internal
@@ -68,10 +73,7 @@ Field_file_report
 read_cones(std::istream& input, const VertexListGraph& mesh,
            std::vector<std::pair<typename boost::graph_traits<VertexListGraph>::vertex_descriptor, int>>& cones)
 {
-  internal::Progress progress; // such files are short
-  internal::Field_file_parser parser(input, progress);
-  internal::parse_cones(parser, mesh, cones);
-  return parser.report();
+  return internal::parse_cones(input, mesh, cones);
 }
 
 /// \ingroup PkgTSplinesIO
@@ -84,10 +86,7 @@ Field_file_report
 read_cones(const std::string& filename, const VertexListGraph& mesh,
            std::vector<std::pair<typename boost::graph_traits<VertexListGraph>::vertex_descriptor, int>>& cones)
 {
-  internal::Progress progress; // such files are short
-  internal::Field_file_parser parser(filename, progress);
-  internal::parse_cones(parser, mesh, cones);
-  return parser.report();
+  return internal::parse_cones(filename, mesh, cones);
 }
 
 } // namespace T_splines

@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Spline/Bezier_patch_3.h>
 #include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/number_utils.h>
 
@@ -130,7 +131,7 @@ int parts_of_halfedge(const T_mesh_arrays<FT>& t_mesh, const int h, const int n)
   if (t_mesh.is_border(h))
     return 1;
   const double share = CGAL::to_double(FT(t_mesh.knot(h) / t_mesh.side_length(t_mesh.face(h), t_mesh.side(h))));
-  return (std::max)(static_cast<int>(std::ceil(n * share - 1e-6)), 1);
+  return (std::max)(static_cast<int>(std::ceil(n * share - summed_round_off)), 1);
 }
 
 /// The same number of equal parts for all sides of faces, or some more at vertices inside of a side.

@@ -425,7 +425,7 @@ private:
       return none;
     if (state.cone_of_face[arrays.face(h)] == none)
       return h;
-    const int o = h ^ 1;
+    const int o = arrays.opposite(h);
     return ray.is_across[i] || arrays.is_border(o) || state.cone_of_face[arrays.face(o)] != none ? none : o;
   }
 

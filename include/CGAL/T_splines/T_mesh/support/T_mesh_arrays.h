@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/T_mesh/internal/face_frames.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/converted_number.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -94,7 +95,7 @@ public:
   int number_of_halfedges() const { return static_cast<int>(m_halfedges.size()); }
   int number_of_faces() const { return static_cast<int>(m_faces.size()); }
 
-  static int opposite(const int h) { return h ^ 1; }
+  static int opposite(const int h) { return internal::opposite(h); }
   int next(const int h) const { return m_halfedges[h].next; }
   int prev(const int h) const { return m_halfedges[h].prev; }
   int target(const int h) const { return m_halfedges[h].target; }
