@@ -12,7 +12,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 install_packages $example_packages catch2 clang clang-format doxygen libopenmesh-dev
 archive=$(demo_archive) || { echo "The meshes of libcgal-demo were not found: set T_SPLINES_DEMO_ARCHIVE." >&2; exit 1; }
 configure -DT_SPLINES_BUILD_TESTS=ON -DT_SPLINES_BUILD_EXAMPLES=ON -DT_SPLINES_WARNINGS_AS_ERRORS=ON \
-  -DT_SPLINES_DEMO_ARCHIVE="$archive"
+  -DT_SPLINES_DEMO_ARCHIVE="$archive" -DCMAKE_UNITY_BUILD=ON
 build
 cd build
 ctest --output-on-failure --parallel "$(nproc)" "$@"

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+namespace Similarity_2_test {
+
 namespace {
 
 using FT = CGAL::Exact_rational;
@@ -91,3 +93,5 @@ TEST_CASE("points of a kernel are mapped exactly", "[Similarity_2]")
   CHECK(a(Kernel::Point_2(3, 6)) == Kernel::Point_2(4, 4));
   CHECK(a.inverse()(Kernel::Point_2(4, 4)) == Kernel::Point_2(3, 6));
 }
+
+} // namespace Similarity_2_test

@@ -30,6 +30,7 @@ endforeach()
 add_library(t_splines_headers OBJECT EXCLUDE_FROM_ALL ${header_sources})
 target_link_libraries(t_splines_headers PRIVATE t_splines_program_settings)
 target_compile_options(t_splines_headers PRIVATE -O0)
+set_target_properties(t_splines_headers PROPERTIES UNITY_BUILD OFF)
 add_test(NAME headers.each_compiles_alone
   COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --config $<CONFIG> --target t_splines_headers --parallel 2)
 set_tests_properties(headers.each_compiles_alone PROPERTIES LABELS headers TIMEOUT 1200 RUN_SERIAL ON)

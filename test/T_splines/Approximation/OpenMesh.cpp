@@ -19,9 +19,13 @@
 
 #include <catch2/catch.hpp>
 
+namespace OpenMesh_test {
+
 TEST_CASE("a mesh of OpenMesh gives a surface as good as that of a Surface_mesh")
 {
   approximation_tests::check_box<OpenMesh::PolyMesh_ArrayKernelT<>>();
 }
+
+} // namespace OpenMesh_test
 
 #endif

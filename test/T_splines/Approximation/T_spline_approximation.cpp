@@ -17,6 +17,8 @@
 #include <utility>
 #include <vector>
 
+namespace T_spline_approximation_test {
+
 namespace {
 
 namespace T = CGAL::T_splines;
@@ -246,3 +248,5 @@ TEST_CASE("a visitor stops the work in whatever stage it is, and nothing is writ
   for (int i = 1; i < n; i += 1 + n / 20)
     CHECK(number_of_questions(i) == i);
 }
+
+} // namespace T_spline_approximation_test

@@ -24,6 +24,8 @@
 #include <string>
 #include <vector>
 
+namespace approximate_by_T_spline_test {
+
 namespace {
 
 namespace T = CGAL::T_splines;
@@ -232,3 +234,5 @@ TEST_CASE("the first half hands out the refined mesh with its exact map")
   for (const auto v : spline.graph().vertices())
     CHECK(spline.graph().point(v) == in_one_call.graph().point(v));
 }
+
+} // namespace approximate_by_T_spline_test

@@ -13,6 +13,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace models_of_meshes_test {
+
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -30,3 +32,5 @@ TEMPLATE_TEST_CASE(
 {
   approximation_tests::check_box<TestType>();
 }
+
+} // namespace models_of_meshes_test

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace Holonomy_signature_test {
+
 using Mesh = test::Surface_mesh;
 using Signature = CGAL::T_splines::Holonomy_signature<Mesh>;
 using Vertex = Mesh::Vertex_index;
@@ -42,3 +44,5 @@ TEST_CASE("loops keep their order")
   CHECK(signature.loops()[1].quarter_turns == -1);
   CHECK(signature.loops()[1].halfedges.size() == 2);
 }
+
+} // namespace Holonomy_signature_test

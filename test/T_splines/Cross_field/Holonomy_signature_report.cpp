@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+namespace Holonomy_signature_report_test {
+
 TEST_CASE("a refusal of a signature names the element, counted from 0, and the numbers")
 {
   namespace ts = CGAL::T_splines;
@@ -33,3 +35,5 @@ TEST_CASE("a refusal of a signature names the element, counted from 0, and the n
   CHECK(refusal({}, ts::parameters::loop_turning_numbers(std::vector<int>{1, 2, 3})) ==
         "there are not as many turning numbers as loops: the number of turning numbers is 3 instead of 2");
 }
+
+} // namespace Holonomy_signature_report_test

@@ -19,6 +19,8 @@
 #include <utility>
 #include <vector>
 
+namespace cancelling_test {
+
 namespace {
 
 namespace ts = CGAL::T_splines;
@@ -161,3 +163,5 @@ TEST_CASE("A signature whose reduction is cancelled stays what it was", "[cancel
     return is_interrupted;
   });
 }
+
+} // namespace cancelling_test

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+namespace check_holonomy_signature_test {
+
 namespace ts = CGAL::T_splines;
 using Status = ts::Holonomy_signature_status;
 using Mesh = test::Surface_mesh;
@@ -126,3 +128,5 @@ TEST_CASE("signatures that were tampered with are refused by name")
     CHECK(report.status == Status::DEPENDENT_LOOPS);
   }
 }
+
+} // namespace check_holonomy_signature_test

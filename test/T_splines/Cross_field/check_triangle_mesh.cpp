@@ -15,6 +15,8 @@
 #include <limits>
 #include <string>
 
+namespace check_triangle_mesh_test {
+
 namespace ts = CGAL::T_splines;
 using Status = ts::Triangle_mesh_status;
 using Mesh = test::Surface_mesh;
@@ -168,3 +170,5 @@ TEST_CASE("collinearity of exact points is asked from the geometric traits")
   CHECK(ts::check_triangle_mesh(mesh, CGAL::parameters::geom_traits(Collinear_traits())).status ==
         Status::ZERO_AREA_FACE);
 }
+
+} // namespace check_triangle_mesh_test

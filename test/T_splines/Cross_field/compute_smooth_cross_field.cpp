@@ -22,6 +22,8 @@
 #include <limits>
 #include <string>
 
+namespace compute_smooth_cross_field_test {
+
 namespace ts = CGAL::T_splines;
 using Status = ts::Smooth_cross_field_status;
 using Mesh = test::Surface_mesh;
@@ -354,3 +356,5 @@ TEST_CASE("invalid meshes and interruptions are reported")
   CHECK(describe(report, mesh) ==
         "a vertex has a coordinate that is infinite or not a number: vertex 3, counted from 0; correct it");
 }
+
+} // namespace compute_smooth_cross_field_test

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+namespace holonomy_signature_of_cones_test {
+
 namespace ts = CGAL::T_splines;
 using Status = ts::Holonomy_signature_status;
 
@@ -128,3 +130,5 @@ TEST_CASE("cones that make no signature are refused by name")
     CHECK(ts::holonomy_signature_of_cones(mesh, list, signature).status == Status::NULL_VERTEX);
   }
 }
+
+} // namespace holonomy_signature_of_cones_test

@@ -16,6 +16,8 @@
 #include <set>
 #include <string>
 
+namespace holonomy_signature_of_cross_field_test {
+
 namespace ts = CGAL::T_splines;
 using Status = ts::Holonomy_signature_status;
 
@@ -189,3 +191,5 @@ TEST_CASE("a field on triangles so small that squares of their areas vanish need
   CHECK(found.count(Status::VERTEX_NOT_INTEGER) == 1);
   CHECK(found.count(Status::LOOP_NOT_INTEGER) == 1);
 }
+
+} // namespace holonomy_signature_of_cross_field_test

@@ -14,6 +14,8 @@
 #include <numeric>
 #include <set>
 
+namespace homology_loops_test {
+
 namespace in = CGAL::T_splines::internal;
 using Mesh = test::Surface_mesh;
 using Closed_mesh = in::Closed_mesh<Mesh>;
@@ -131,3 +133,5 @@ TEST_CASE("the turning around a vertex is its angle, and reversing a strip rever
     CHECK(in::strip_turning(connectivity, reverse, angle) == Approx(-in::strip_turning(connectivity, loop, angle)));
   }
 }
+
+} // namespace homology_loops_test

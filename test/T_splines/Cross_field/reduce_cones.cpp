@@ -31,6 +31,8 @@
 #include <utility>
 #include <vector>
 
+namespace reduce_cones_test {
+
 namespace ts = CGAL::T_splines;
 using Status = ts::Cone_reduction_status;
 using Mesh = test::Surface_mesh;
@@ -672,3 +674,5 @@ TEST_CASE("a signature of another mesh, or of the mesh before an edit, is refuse
     CHECK(report.signature.index == 0);
   }
 }
+
+} // namespace reduce_cones_test

@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+namespace Field_file_report_test {
+
 namespace {
 
 using Mesh = test::Surface_mesh;
@@ -52,3 +54,5 @@ TEST_CASE("a refusal of a field file says the line, the element and the numbers"
   CHECK(refusal_of_field("4 59\n").find("another number of elements (59 instead of 60)") != std::string::npos);
   CHECK(refusal_of_field("2 60\n").find("four directions per face (2 instead of 4)") != std::string::npos);
 }
+
+} // namespace Field_file_report_test

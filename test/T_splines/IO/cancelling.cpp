@@ -14,6 +14,8 @@
 #include <fstream>
 #include <string>
 
+namespace cancelling_test {
+
 namespace {
 
 // A strip of squares around a tube of four sides, closed at both ends; with uv in OBJ.
@@ -98,3 +100,5 @@ TEST_CASE("A T-mesh whose reading is cancelled stays empty", "[cancel]")
     return is_interrupted;
   });
 }
+
+} // namespace cancelling_test

@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+namespace merged_boundaries_test {
+
 namespace {
 
 namespace T = CGAL::T_splines;
@@ -198,3 +200,5 @@ TEST_CASE("merging makes no edge with more than two faces")
   T::internal::merge_boundaries(0, 0, T::internal::Merge_conflicts::AVOIDED, soup);
   T::internal::for_each_edge(soup, [](const auto* first, const auto* last) { CHECK(last - first <= 2); });
 }
+
+} // namespace merged_boundaries_test

@@ -26,6 +26,8 @@
 #include <utility>
 #include <vector>
 
+namespace mesh_file_variants_test {
+
 namespace {
 
 namespace T = CGAL::T_splines;
@@ -323,3 +325,5 @@ TEST_CASE("polygons of any size in all indexed formats")
     CHECK(CGAL::Polygon_mesh_processing::volume(mesh) == Approx(3));
   }
 }
+
+} // namespace mesh_file_variants_test

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+namespace read_cone_angles_test {
+
 namespace ts = CGAL::T_splines;
 using Status = ts::Field_file_status;
 
@@ -52,3 +54,5 @@ TEST_CASE("total angles are read as cones")
   CHECK(read(text(-1, "") + "3.14159265358979\n", cones).status == Status::WRONG_COUNT);
   CHECK(cones.size() == 1);
 }
+
+} // namespace read_cone_angles_test

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+namespace read_cones_test {
+
 namespace ts = CGAL::T_splines;
 using Status = ts::Field_file_status;
 
@@ -50,3 +52,5 @@ TEST_CASE("bad cone files are refused with the line and the vertex, and nothing 
   CHECK(ts::read_cones(empty, mesh, cones).success());
   CHECK(cones.empty());
 }
+
+} // namespace read_cones_test

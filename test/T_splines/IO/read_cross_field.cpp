@@ -24,6 +24,8 @@
 #include <utility>
 #include <vector>
 
+namespace read_cross_field_test {
+
 namespace ts = CGAL::T_splines;
 using Status = ts::Field_file_status;
 using Mesh = test::Surface_mesh;
@@ -165,3 +167,5 @@ TEST_CASE("what underflows is zero, whatever its digits and the locale")
     CHECK(ts::read_rosy(bad, t.mesh, t.field).status == Status::NON_FINITE_NUMBER);
   }
 }
+
+} // namespace read_cross_field_test

@@ -11,6 +11,8 @@
 #include <sstream>
 #include <string>
 
+namespace read_crossfield_test {
+
 namespace ts = CGAL::T_splines;
 using Status = ts::Field_file_status;
 using Mesh = test::Surface_mesh;
@@ -62,3 +64,5 @@ TEST_CASE("bad crossfields are refused")
   CHECK(status("2 1\n1 2 1 0 0 0 0\n") == Status::ZERO_VECTOR);
   CHECK(status("2 1\n1 2 1 0 0 0 1\n") == Status::NOT_TANGENT);
 }
+
+} // namespace read_crossfield_test

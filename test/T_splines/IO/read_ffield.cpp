@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+namespace read_ffield_test {
+
 namespace ts = CGAL::T_splines;
 namespace in = CGAL::T_splines::internal;
 using Status = ts::Field_file_status;
@@ -158,3 +160,5 @@ TEST_CASE("bad ffield files are refused")
   CHECK(report.status == Status::WRONG_FACE);
   CHECK(report.index == 3);
 }
+
+} // namespace read_ffield_test

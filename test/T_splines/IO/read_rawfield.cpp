@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+namespace read_rawfield_test {
+
 namespace ts = CGAL::T_splines;
 using Status = ts::Field_file_status;
 using Mesh = test::Surface_mesh;
@@ -122,3 +124,5 @@ TEST_CASE("an unreadable stream and an invalid mesh are reported")
   std::istringstream input("4 2\n");
   CHECK(ts::read_rawfield(input, mesh, map).status == Status::INVALID_MESH);
 }
+
+} // namespace read_rawfield_test

@@ -11,6 +11,8 @@
 #include <sstream>
 #include <string>
 
+namespace read_rosy_test {
+
 namespace ts = CGAL::T_splines;
 using Status = ts::Field_file_status;
 using Mesh = test::Surface_mesh;
@@ -54,3 +56,5 @@ TEST_CASE("a rosy field has one vector per face")
   CHECK(status("1\n4\n0 0 2\n") == Status::NOT_TANGENT);
   CHECK(status("1\n4\n") == Status::TRUNCATED);
 }
+
+} // namespace read_rosy_test

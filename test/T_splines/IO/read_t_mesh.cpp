@@ -26,6 +26,8 @@
 #include <string>
 #include <vector>
 
+namespace read_t_mesh_test {
+
 namespace {
 
 using Status = T::T_mesh_reading_status;
@@ -444,3 +446,5 @@ TEST_CASE("knots are read into exact numbers as they stand")
   CHECK(T::check_admissibility(t.view()));
   CHECK(t.text() == file_content(good + "scaled_torus.ply"));
 }
+
+} // namespace read_t_mesh_test

@@ -25,6 +25,8 @@
 #include <utility>
 #include <vector>
 
+namespace read_triangle_mesh_test {
+
 namespace {
 
 namespace T = CGAL::T_splines;
@@ -351,3 +353,5 @@ TEST_CASE("collinearity is decided exactly")
   soup.points = {{1, 1, 0}, {2, 2, 0}, {3, 3, 0}};
   CHECK(status() == Status::ZERO_AREA_TRIANGLE);
 }
+
+} // namespace read_triangle_mesh_test

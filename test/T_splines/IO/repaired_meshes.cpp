@@ -21,6 +21,8 @@
 #include <string>
 #include <vector>
 
+namespace repaired_meshes_test {
+
 namespace {
 
 namespace T = CGAL::T_splines;
@@ -263,3 +265,5 @@ TEST_CASE("random flat triangles are removed from a box")
       CHECK_FALSE(CGAL::Polygon_mesh_processing::is_degenerate_triangle_face(f, read.mesh));
   }
 }
+
+} // namespace repaired_meshes_test

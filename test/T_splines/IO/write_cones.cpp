@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+namespace write_cones_test {
+
 namespace ts = CGAL::T_splines;
 
 namespace {
@@ -47,3 +49,5 @@ TEMPLATE_TEST_CASE("cones are written by index and read back", "", test::Surface
   CHECK(cones == Cones<TestType>{{v[3], 3}, {v[20], 5}});
   CHECK(ts::write_cones(directory.file("none/a.cones"), mesh, signature));
 }
+
+} // namespace write_cones_test

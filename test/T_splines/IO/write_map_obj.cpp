@@ -21,6 +21,8 @@
 #include <map>
 #include <string>
 
+namespace write_map_obj_test {
+
 namespace {
 
 namespace T = CGAL::T_splines;
@@ -163,3 +165,5 @@ TEST_CASE("a map without uv at a corner, or with bad uv, is refused")
   CHECK(status_of(points + "vt 0 0\nvt 1 0\nf 1/1 2/2 3/3\n") == Status::INDEX_OUT_OF_RANGE);
   CHECK(status_of("vt 0 0\n") == Status::EMPTY);
 }
+
+} // namespace write_map_obj_test

@@ -16,6 +16,8 @@
 #include <sstream>
 #include <string>
 
+namespace write_rawfield_test {
+
 namespace ts = CGAL::T_splines;
 
 TEMPLATE_TEST_CASE("what is written is read back", "", test::Surface_mesh, test::Polyhedron_3,
@@ -48,3 +50,5 @@ TEST_CASE("a field that cannot be written is an error, and a file is written who
   CHECK(std::string(std::istreambuf_iterator<char>(file), {}) == stream.str());
   CHECK(ts::write_rawfield(directory.file("none/a.rawfield"), mesh, field));
 }
+
+} // namespace write_rawfield_test

@@ -23,6 +23,8 @@
 #include <system_error>
 #include <vector>
 
+namespace write_t_mesh_test {
+
 namespace {
 
 const std::string good = T_SPLINES_TEST_DATA "/good_t_meshes/";
@@ -176,3 +178,5 @@ TEST_CASE("a T-mesh file that cannot be written leaves nothing behind and leaves
   std::ostream out(&full);
   CHECK(T::write_t_mesh(out, t.view()) == std::io_errc::stream);
 }
+
+} // namespace write_t_mesh_test

@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+namespace write_t_spline_vtu_test {
+
 namespace {
 
 using Kernel = Random_torus::Kernel;
@@ -110,3 +112,5 @@ TEST_CASE("a VTK file is written whole or not at all", "[write_t_spline_vtu]")
   broken.setstate(std::ios::badbit);
   CHECK(T::write_t_spline_vtu(broken, surface));
 }
+
+} // namespace write_t_spline_vtu_test

@@ -13,6 +13,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace Chord_arrangement_test {
+
 namespace {
 
 using CGAL::T_splines::internal::Chord_arrangement;
@@ -116,3 +118,5 @@ TEST_CASE("the cells of random chords tile the polygon", "[Chord_arrangement]")
     CHECK(area == Approx(positions * std::sin(8 * std::atan(1.) / positions) / 2));
   }
 }
+
+} // namespace Chord_arrangement_test

@@ -13,6 +13,8 @@
 #include <map>
 #include <vector>
 
+namespace Dual_loops_test {
+
 namespace {
 
 using CGAL::T_splines::internal::Dual_loops;
@@ -128,3 +130,5 @@ TEST_CASE("corners are passed on the side on which they lie", "[Dual_loops]")
   });
   CHECK(i == strip.size());
 }
+
+} // namespace Dual_loops_test

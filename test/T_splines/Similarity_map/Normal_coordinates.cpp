@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+namespace Normal_coordinates_test {
+
 namespace {
 
 using CGAL::T_splines::internal::Normal_coordinates;
@@ -192,3 +194,5 @@ TEST_CASE("flips are undone by flips", "[Normal_coordinates]")
       });
   CHECK(count == t.first.mesh.number_of_halfedges());
 }
+
+} // namespace Normal_coordinates_test

@@ -16,6 +16,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace Similarity_structure_test {
+
 namespace {
 
 using CGAL::T_splines::internal::First_degeneracy;
@@ -153,3 +155,5 @@ TEST_CASE("no triangle degenerates before the first one does", "[first_degenerac
     }
   }
 }
+
+} // namespace Similarity_structure_test

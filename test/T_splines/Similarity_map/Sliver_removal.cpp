@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+namespace Sliver_removal_test {
+
 namespace {
 
 using namespace CGAL::T_splines::internal;
@@ -153,3 +155,5 @@ TEST_CASE("what cannot be repaired is named", "[Sliver_removal]")
   std::swap(t.refined.uv[h], t.refined.uv[t.refined.mesh.next(h)]);
   CHECK(Sliver_removal(t.input, t.input_point, t.refined, t.is_cut, nobody).first_bad_input_face() == 2);
 }
+
+} // namespace Sliver_removal_test

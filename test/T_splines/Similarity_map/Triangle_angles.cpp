@@ -13,6 +13,8 @@
 #include <cmath>
 #include <limits>
 
+namespace Triangle_angles_test {
+
 namespace {
 
 using Wide = boost::multiprecision::cpp_bin_float_50;
@@ -106,3 +108,5 @@ TEST_CASE("where the triangle inequality fails, the longest side takes all", "[T
       }
     }
 }
+
+} // namespace Triangle_angles_test

@@ -18,6 +18,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace cancelling_test {
+
 namespace {
 
 namespace T = CGAL::T_splines;
@@ -82,3 +84,5 @@ TEST_CASE("An exact map whose computation is cancelled stays what it was", "[can
     return is_interrupted;
   });
 }
+
+} // namespace cancelling_test

@@ -34,6 +34,8 @@
 #include <utility>
 #include <vector>
 
+namespace compute_seamless_similarity_map_test {
+
 namespace {
 
 namespace T = CGAL::T_splines;
@@ -675,3 +677,5 @@ TEST_CASE("real meshes with smooth cross fields", "[compute_seamless_similarity_
   REQUIRE(T::holonomy_signature_of_cross_field(mesh, field, signature).success());
   CHECK(check_map_of(mesh, signature).iterations <= 10);
 }
+
+} // namespace compute_seamless_similarity_map_test

@@ -23,6 +23,8 @@
 #include <utility>
 #include <vector>
 
+namespace compute_similarity_metric_test {
+
 namespace {
 
 namespace T = CGAL::T_splines;
@@ -164,3 +166,5 @@ TEST_CASE("a stop is not a success", "[compute_similarity_metric]")
   REQUIRE(T::compute_similarity_metric(mesh, signature, metric).success());
   CHECK(cone_deviation(metric, mesh, signature) <= 1e-12);
 }
+
+} // namespace compute_similarity_metric_test

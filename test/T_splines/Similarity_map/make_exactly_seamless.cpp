@@ -32,6 +32,8 @@
 #include <utility>
 #include <vector>
 
+namespace make_exactly_seamless_test {
+
 namespace {
 
 namespace T = CGAL::T_splines;
@@ -660,3 +662,5 @@ TEST_CASE("what is not a closed triangle mesh is refused", "[make_exactly_seamle
     CHECK(report.mesh.face == f);
   }
 }
+
+} // namespace make_exactly_seamless_test

@@ -15,6 +15,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace Cholmod_spd_solver_traits_test {
+
 using CGAL::T_splines::Cholmod_spd_solver_traits;
 
 TEST_CASE("CHOLMOD does what the concept asks for", "[Cholmod_spd_solver_traits]")
@@ -83,5 +85,7 @@ TEST_CASE("CHOLMOD solves for 700 thousand unknowns", "[Cholmod_spd_solver_trait
   REQUIRE((solver.analyze_pattern(a) && solver.factorize(a) && solver.solve(b, x)));
   CHECK(backward_error(a, x, b) <= 1e-14);
 }
+
+} // namespace Cholmod_spd_solver_traits_test
 
 #endif // CGAL_T_SPLINES_WITH_CHOLMOD

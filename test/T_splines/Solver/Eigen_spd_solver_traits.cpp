@@ -15,6 +15,8 @@
 
 #include <vector>
 
+namespace Eigen_spd_solver_traits_test {
+
 using CGAL::T_splines::Eigen_spd_solver_traits;
 
 using Ldlt = Eigen_spd_solver_traits<>;
@@ -85,3 +87,5 @@ TEST_CASE("copies share the solver", "[Eigen_spd_solver_traits]")
   REQUIRE(copy.solve(b, x));
   CHECK(backward_error(a, x, b) <= 1e-14);
 }
+
+} // namespace Eigen_spd_solver_traits_test

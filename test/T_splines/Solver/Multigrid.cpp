@@ -18,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+namespace Multigrid_test {
+
 using namespace CGAL::T_splines::internal;
 
 namespace {
@@ -150,3 +152,5 @@ TEST_CASE("the smallest eigenvalue of a grid is its shift, and that of a flux is
     CHECK(smallest_eigenvector(multigrid, mass, 0, x, progress) == Approx(2 * CGAL_PI * flux).epsilon(2e-3));
   }
 }
+
+} // namespace Multigrid_test

@@ -7,6 +7,8 @@
 
 #include <vector>
 
+namespace Symmetric_sparse_matrix_test {
+
 using Matrix = CGAL::T_splines::Symmetric_sparse_matrix<double>;
 
 TEST_CASE("the stored triangle stands for both", "[Symmetric_sparse_matrix]")
@@ -33,3 +35,5 @@ TEST_CASE("a matrix without rows multiplies", "[Symmetric_sparse_matrix]")
   a.multiply({}, y);
   CHECK(y.empty());
 }
+
+} // namespace Symmetric_sparse_matrix_test

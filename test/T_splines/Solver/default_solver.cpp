@@ -14,6 +14,8 @@
 #include <functional>
 #include <type_traits>
 
+namespace default_solver_test {
+
 using CGAL::T_splines::Default_spd_solver_traits;
 using CGAL::T_splines::Solver_traits_from;
 using CGAL::T_splines::Solver_traits_or_default;
@@ -53,3 +55,5 @@ TEST_CASE("a template argument may be CGAL::Default", "[default_solver]")
   STATIC_REQUIRE(std::is_same<Solver_traits_or_default<CGAL::Default>, Default_spd_solver_traits>::value);
   STATIC_REQUIRE(std::is_same<Solver_traits_or_default<Llt>, Llt>::value);
 }
+
+} // namespace default_solver_test

@@ -12,6 +12,8 @@
 
 #include <vector>
 
+namespace preconditioned_conjugate_gradients_test {
+
 using namespace CGAL::T_splines;
 
 TEST_CASE("the archetype is a model", "[preconditioned_conjugate_gradients]")
@@ -111,3 +113,5 @@ TEST_CASE("a preconditioner that fails, or a matrix that is not definite, ends t
     number = -number;
   CHECK(preconditioned_conjugate_gradients(negative, solver, b, x, 1e-10, 5, workspace) == 1);
 }
+
+} // namespace preconditioned_conjugate_gradients_test

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace Anderson_acceleration_test {
+
 namespace {
 
 using Acceleration = CGAL::T_splines::internal::Anderson_acceleration<double>;
@@ -64,3 +66,5 @@ TEST_CASE("At the fixed point the acceleration stays", "[Anderson_acceleration]"
   for (int i = 0; i < 8; ++i)
     CHECK(acceleration.next(x, x) == x);
 }
+
+} // namespace Anderson_acceleration_test

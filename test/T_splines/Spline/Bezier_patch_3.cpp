@@ -11,6 +11,8 @@
 
 #include <cmath>
 
+namespace Bezier_patch_3_test {
+
 namespace {
 
 using Rational = CGAL::Exact_rational;
@@ -84,3 +86,5 @@ TEST_CASE("a factor of the homogeneous control points changes nothing", "[Bezier
   CHECK(a.dvv == b.dvv);
   CHECK(a.duv == b.duv);
 }
+
+} // namespace Bezier_patch_3_test

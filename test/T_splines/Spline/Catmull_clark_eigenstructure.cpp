@@ -20,6 +20,8 @@
 #include <utility>
 #include <vector>
 
+namespace Catmull_clark_eigenstructure_test {
+
 namespace {
 
 using Exact = CGAL::Exact_rational;
@@ -673,3 +675,5 @@ TEST_CASE("it is the limit of CGAL's Catmull-Clark subdivision", "[Catmull_clark
     }
   }
 }
+
+} // namespace Catmull_clark_eigenstructure_test

@@ -14,6 +14,8 @@
 #include <tuple>
 #include <type_traits>
 
+namespace Control_point_map_test {
+
 namespace {
 
 using namespace spline_tests;
@@ -74,3 +76,5 @@ TEMPLATE_TEST_CASE("control points may be points, weighted points, or points and
     CHECK(unweighted.position(f, u, v) == of_points.position(f, u, v));
   }
 }
+
+} // namespace Control_point_map_test

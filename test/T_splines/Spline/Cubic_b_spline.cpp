@@ -14,6 +14,8 @@
 #include <cmath>
 #include <vector>
 
+namespace Cubic_b_spline_test {
+
 namespace {
 
 using Rational = CGAL::Exact_rational;
@@ -97,3 +99,5 @@ TEST_CASE("the Bernstein coefficients of a piece give its values", "[Cubic_b_spl
       }
     }
 }
+
+} // namespace Cubic_b_spline_test

@@ -12,6 +12,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace Face_tessellation_test {
+
 namespace {
 
 using CGAL::T_splines::internal::Division_density;
@@ -90,3 +92,5 @@ TEST_CASE("parts are neither fewer nor more than asked for, and equal where the 
   CHECK(division({}, 3, 16).size() == 4);
   CHECK(division({{0, 0.1, 1e6}, {0.1, 1, 0}}, 3, 16).size() <= 17);
 }
+
+} // namespace Face_tessellation_test

@@ -20,6 +20,8 @@
 #include <limits>
 #include <vector>
 
+namespace Mesh_distance_test {
+
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -154,3 +156,5 @@ TEST_CASE("bad meshes are recognized", "[Mesh_distance]")
     CHECK_FALSE(Mesh_distance(mesh).is_valid());
   }
 }
+
+} // namespace Mesh_distance_test

@@ -10,6 +10,8 @@
 
 #include <cmath>
 
+namespace Surface_jet_test {
+
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -94,3 +96,5 @@ TEST_CASE("the unit normal of a degenerate jet is the zero vector", "[Surface_je
   jet.dv = Vector_3(0, 0, 0);
   CHECK(jet.unit_normal() == Vector_3(0, 0, 0));
 }
+
+} // namespace Surface_jet_test

@@ -17,6 +17,8 @@
 #include <sstream>
 #include <type_traits>
 
+namespace T_spline_test {
+
 namespace {
 
 namespace T = CGAL::T_splines;
@@ -84,3 +86,5 @@ TEST_CASE("a line of knots goes into a T-spline without changing it", "[T_spline
   REQUIRE(surface.is_valid());
   CHECK(CGAL::squared_distance(before, surface.position(f, 0.25, 0.75)) < 1e-28);
 }
+
+} // namespace T_spline_test

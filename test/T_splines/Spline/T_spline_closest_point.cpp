@@ -30,6 +30,8 @@
 #include <utility>
 #include <vector>
 
+namespace T_spline_closest_point_test {
+
 namespace {
 
 using namespace spline_tests;
@@ -468,3 +470,5 @@ TEST_CASE("closest points in long double", "[T_spline_closest_point]")
     CHECK(closest(surface.position(place.face, place.u, place.v)).distance < 1e-18L);
   }
 }
+
+} // namespace T_spline_closest_point_test

@@ -12,6 +12,8 @@
 #include <limits>
 #include <string>
 
+namespace T_spline_report_test {
+
 namespace {
 
 using namespace spline_tests;
@@ -113,3 +115,5 @@ TEST_CASE("borders that carry no spline are refused", "[T_spline_report]")
   bent.set_random_controls(random);
   CHECK(bent.surface().report().compatibility.status == Spline_compatibility_status::UNSUPPORTED_BORDER_VERTEX);
 }
+
+} // namespace T_spline_report_test

@@ -24,6 +24,8 @@
 #include <utility>
 #include <vector>
 
+namespace T_spline_surface_test {
+
 namespace {
 
 using namespace spline_tests;
@@ -427,3 +429,5 @@ TEST_CASE("with an exact kernel both sides of an edge are equal", "[T_spline_sur
     CHECK(worst.second < 1e-10);
   }
 }
+
+} // namespace T_spline_surface_test

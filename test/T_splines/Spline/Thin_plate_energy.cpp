@@ -13,6 +13,8 @@
 #include <cmath>
 #include <vector>
 
+namespace Thin_plate_energy_test {
+
 namespace {
 
 using namespace spline_tests;
@@ -84,3 +86,5 @@ TEST_CASE("In other faces the energy is the integral of the squared second deriv
     CHECK(of_matrix == Approx(sum / (n * n) * width * height * width * height).epsilon(0.01));
   }
 }
+
+} // namespace Thin_plate_energy_test

@@ -22,6 +22,8 @@
 #include <iterator>
 #include <vector>
 
+namespace cancelling_test {
+
 namespace {
 
 namespace T = CGAL::T_splines;
@@ -181,3 +183,5 @@ TEST_CASE("A line of knots that is cancelled is not inserted", "[cancel]")
     return is_interrupted;
   });
 }
+
+} // namespace cancelling_test

@@ -21,6 +21,8 @@
 #include <set>
 #include <vector>
 
+namespace check_T_spline_self_intersections_test {
+
 namespace {
 
 using namespace spline_tests;
@@ -116,3 +118,5 @@ TEMPLATE_TEST_CASE("what the mesh does, too, is not new", "[check_T_spline_self_
   // The corners of these triangles lie elsewhere.
   CHECK(with(0).number_of_new_intersections > 0);
 }
+
+} // namespace check_T_spline_self_intersections_test

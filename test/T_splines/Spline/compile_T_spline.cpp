@@ -19,6 +19,8 @@
 #include <utility>
 #include <vector>
 
+namespace compile_T_spline_test {
+
 namespace {
 
 using namespace spline_tests;
@@ -309,3 +311,5 @@ TEST_CASE("with an exact kernel the patches are exactly the surface", "[compile_
   }
   CHECK(patches > 50);
 }
+
+} // namespace compile_T_spline_test

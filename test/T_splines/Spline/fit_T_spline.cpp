@@ -24,6 +24,8 @@
 #include <string>
 #include <vector>
 
+namespace fit_T_spline_test {
+
 namespace {
 
 using namespace spline_tests;
@@ -392,3 +394,5 @@ TEST_CASE("Too few samples do with some fairness")
   for (const auto v : t.mesh.vertices()) // constants have no energy
     CHECK(std::sqrt(CGAL::squared_distance(fitted.points[v], Point_3(1, 2, 3))) < 1e-7);
 }
+
+} // namespace fit_T_spline_test

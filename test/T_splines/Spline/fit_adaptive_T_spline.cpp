@@ -31,6 +31,8 @@
 #include <unordered_map>
 #include <vector>
 
+namespace fit_adaptive_T_spline_test {
+
 namespace {
 
 using namespace spline_tests;
@@ -330,3 +332,5 @@ TEST_CASE("Bad input of an adaptive fit is refused, and nothing is written")
     CHECK(refused(1e-5, CGAL::parameters::visitor(Stopping_visitor())).status == Status::INTERRUPTED);
   }
 }
+
+} // namespace fit_adaptive_T_spline_test

@@ -26,6 +26,8 @@
 #include <utility>
 #include <vector>
 
+namespace insert_knot_line_test {
+
 namespace {
 
 using namespace spline_tests;
@@ -503,3 +505,5 @@ TEST_CASE("what is wrong from the beginning is named", "[insert_knot_line]")
     CHECK(report.compatibility.face == f);
   }
 }
+
+} // namespace insert_knot_line_test

@@ -23,6 +23,8 @@
 #include <utility>
 #include <vector>
 
+namespace known_surfaces_test {
+
 namespace {
 
 using namespace spline_tests;
@@ -542,3 +544,5 @@ TEST_CASE("on a subdivided quad mesh with unit knots the surface is the Catmull-
     CHECK(std::count(is_met.begin(), is_met.end(), true) == static_cast<std::ptrdiff_t>(limit.size()));
   }
 }
+
+} // namespace known_surfaces_test

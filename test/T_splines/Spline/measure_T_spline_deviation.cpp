@@ -33,6 +33,8 @@
 #include <utility>
 #include <vector>
 
+namespace measure_T_spline_deviation_test {
+
 namespace {
 
 using namespace spline_tests;
@@ -517,3 +519,5 @@ TEST_CASE("bad input is reported with its place", "[measure_T_spline_deviation]"
   flat.set_control(*flat.mesh.vertices().begin(), Point_3(0, 0, 1e200), 1);
   CHECK(measure_T_spline_deviation(flat.surface(), flat_rectangle(0, 0)).status == Status::SURFACE_NOT_FINITE);
 }
+
+} // namespace measure_T_spline_deviation_test

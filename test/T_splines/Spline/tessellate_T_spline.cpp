@@ -29,6 +29,8 @@
 #include <string>
 #include <utility>
 
+namespace tessellate_T_spline_test {
+
 namespace {
 
 using namespace spline_tests;
@@ -188,3 +190,5 @@ TEST_CASE("an OBJ file has the triangles and unit normals, or is not there", "[w
   CHECK(normals == num_vertices(mesh));
   CHECK(T::write_t_spline_obj(directory.file("no/cube.obj"), spline, 4));
 }
+
+} // namespace tessellate_T_spline_test

@@ -16,6 +16,8 @@
 #include <map>
 #include <vector>
 
+namespace Carried_anchors_test {
+
 namespace {
 
 namespace T = CGAL::T_splines;
@@ -78,3 +80,5 @@ TEMPLATE_TEST_CASE(
   CHECK(CGAL::to_double(FT(chart_point().first - given.first)) == Approx(0).margin(1e-14));
   CHECK(CGAL::to_double(FT(chart_point().second - given.second)) == Approx(0).margin(1e-14));
 }
+
+} // namespace Carried_anchors_test

@@ -25,6 +25,8 @@
 #include <utility>
 #include <vector>
 
+namespace Carried_samples_test {
+
 namespace {
 
 namespace T = CGAL::T_splines;
@@ -185,3 +187,5 @@ TEST_CASE("Samples come from a vector or through an iterator, and faces without 
     CHECK(samples.samples_in_face(b).empty());
   }
 }
+
+} // namespace Carried_samples_test

@@ -17,6 +17,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace Carried_surface_test {
+
 namespace {
 
 using namespace spline_tests;
@@ -97,3 +99,5 @@ TEST_CASE("The images stay where they are while faces are split and lines remove
   CHECK(box.t_mesh.graph().number_of_faces() != before);
   check_covered(box);
 }
+
+} // namespace Carried_surface_test

@@ -22,6 +22,8 @@
 #include <type_traits>
 #include <utility>
 
+namespace T_mesh_test {
+
 namespace {
 
 namespace T = CGAL::T_splines;
@@ -151,3 +153,5 @@ TEST_CASE("a view refers to a T-mesh, and makes one of a graph and maps", "[T_me
   view.set_corner(h, !view.is_corner(h));
   CHECK(constant.is_corner(h) == bool(get(t_mesh.corners(), h)));
 }
+
+} // namespace T_mesh_test

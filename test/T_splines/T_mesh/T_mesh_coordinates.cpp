@@ -16,6 +16,8 @@
 #include <set>
 #include <utility>
 
+namespace T_mesh_coordinates_test {
+
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -93,3 +95,5 @@ TEST_CASE("the frame follows the halfedge of the face", "[T_mesh_coordinates]")
   CHECK(coordinates.side(h) == 0);
   CHECK(coordinates.source_point(h).first > 0);
 }
+
+} // namespace T_mesh_coordinates_test

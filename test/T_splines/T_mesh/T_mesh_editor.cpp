@@ -26,6 +26,8 @@
 #include <utility>
 #include <vector>
 
+namespace T_mesh_editor_test {
+
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -248,11 +250,11 @@ void edit_and_check(Scene& scene, const Group& group, const bool has_area, const
 TEMPLATE_TEST_CASE("random operations in exact arithmetic keep the surface", "[T_mesh_editor]", Surface_mesh,
                    Polyhedron)
 {
-  using Scene = ::Scene<TestType, Rational>;
+  using Exact_scene = Scene<TestType, Rational>;
   const test_t_meshes::Lattice_group lattice;
   const int many = std::is_same<TestType, Surface_mesh>::value ? 10000 : 1000, fewer = many / 5;
   const auto check_squares = [&](const test_t_meshes::Faces<Rational>& faces, const int operations, const int seed) {
-    Scene scene(faces);
+    Exact_scene scene(faces);
     scene.develop_squares();
     edit_and_check(scene, lattice, true, operations, seed);
   };
@@ -287,7 +289,7 @@ TEMPLATE_TEST_CASE("random operations in exact arithmetic keep the surface", "[T
   SECTION("on a torus with spiralling lines")
   {
     const Rational c = Rational(3) / 2;
-    Scene scene(test_t_meshes::pinwheel(c));
+    Exact_scene scene(test_t_meshes::pinwheel(c));
     scene.develop_pinwheel(c);
     edit_and_check(scene, test_t_meshes::Scaling_group<Rational>{c}, false, many, 8);
   }
@@ -490,3 +492,5 @@ TEST_CASE("a vertex is inserted into an edge and removed again", "[T_mesh_editor
   CHECK(get(t.knots(), edit.halfedge) == 2);
   CHECK(t.mesh.number_of_halfedges() == 24);
 }
+
+} // namespace T_mesh_editor_test

@@ -22,6 +22,8 @@
 #include <iterator>
 #include <vector>
 
+namespace cancelling_test {
+
 namespace {
 
 namespace T = CGAL::T_splines;
@@ -180,3 +182,5 @@ TEST_CASE("The placement of a T-mesh can be cancelled", "[cancel]")
            T::T_mesh_placement_status::INTERRUPTED;
   });
 }
+
+} // namespace cancelling_test

@@ -19,6 +19,8 @@
 #include <tuple>
 #include <vector>
 
+namespace check_admissibility_test {
+
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -187,3 +189,5 @@ TEST_CASE("extended valences", "[check_admissibility]")
   CHECK(valences(test_t_meshes::pinwheel<double>(1.25)) == std::vector<int>(8, 4));
   CHECK(valences(test_t_meshes::rectangle<double>(2, 1)) == std::vector<int>{1, 1, 1, 1, 2, 2});
 }
+
+} // namespace check_admissibility_test

@@ -20,6 +20,8 @@
 #include <string>
 #include <tuple>
 
+namespace check_spline_compatibility_test {
+
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -254,3 +256,5 @@ TEST_CASE("inadmissible knots are told first", "[check_spline_compatibility]")
   CHECK(describe(report, t.mesh).find("two opposite sides of a face have different lengths: face 1, counted from 0") ==
         0);
 }
+
+} // namespace check_spline_compatibility_test

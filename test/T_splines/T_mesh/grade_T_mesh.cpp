@@ -22,6 +22,8 @@
 #include <tuple>
 #include <utility>
 
+namespace grade_T_mesh_test {
+
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -104,3 +106,5 @@ TEST_CASE("a T-mesh that was graded can be made spline compatible again", "[grad
   CHECK(CGAL::T_splines::make_spline_compatible(t));
   CHECK(CGAL::T_splines::check_spline_compatibility(t));
 }
+
+} // namespace grade_T_mesh_test

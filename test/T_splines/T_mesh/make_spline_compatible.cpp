@@ -31,6 +31,8 @@
 #include <tuple>
 #include <utility>
 
+namespace make_spline_compatible_test {
+
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -362,3 +364,5 @@ TEST_CASE("the number of splits is bounded on demand", "[make_spline_compatible]
     CHECK(check_admissibility(t));
   }
 }
+
+} // namespace make_spline_compatible_test

@@ -12,6 +12,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace move_place_test {
+
 namespace {
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
@@ -89,3 +91,5 @@ TEST_CASE("Places in doubles follow exact faces, and exact places follow faces i
   CHECK(exact.u == 3);
   CHECK(exact.v == 3 + third / 2);
 }
+
+} // namespace move_place_test

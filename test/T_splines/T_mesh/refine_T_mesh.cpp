@@ -24,6 +24,8 @@
 #include <tuple>
 #include <utility>
 
+namespace refine_T_mesh_test {
+
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -171,3 +173,5 @@ TEST_CASE("what cannot be refined is named", "[refine_T_mesh]")
   CHECK(not_finite.status == Status::SIZE_NOT_FINITE);
   CHECK(not_finite.face == bad);
 }
+
+} // namespace refine_T_mesh_test

@@ -26,6 +26,8 @@
 #include <utility>
 #include <vector>
 
+namespace regularize_T_mesh_test {
+
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -221,3 +223,5 @@ TEST_CASE("gaps between lines that end at opposite sides of a third one are clos
       CHECK(get(t.knots(), h) * 16 >= coordinates.side_length(h));
   }
 }
+
+} // namespace regularize_T_mesh_test

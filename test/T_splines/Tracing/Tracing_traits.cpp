@@ -12,6 +12,8 @@
 #include <cmath>
 #include <deque>
 
+namespace Tracing_traits_test {
+
 namespace T = CGAL::T_splines;
 
 namespace {
@@ -101,3 +103,5 @@ TEST_CASE("without exactness, a determinant of round-off decides", "[Tracing_tra
   CHECK(traits.orientation(point(-1, -1), point(1, 1), point(0, std::ldexp(1., -80))) == CGAL::ZERO);
   CHECK(traits.statistics().calls == 2);
 }
+
+} // namespace Tracing_traits_test

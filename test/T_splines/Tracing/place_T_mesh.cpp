@@ -23,6 +23,8 @@
 #include <map>
 #include <string>
 
+namespace place_T_mesh_test {
+
 using namespace hand_made_maps;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -206,3 +208,5 @@ TEST_CASE("A T-mesh with edges over cones or borders, or with foreign roots, doe
     CHECK(place(graph.traced.view(), graph, roots) == Status::DOES_NOT_FIT);
   }
 }
+
+} // namespace place_T_mesh_test

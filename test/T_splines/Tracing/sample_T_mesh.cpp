@@ -32,6 +32,8 @@
 #include <utility>
 #include <vector>
 
+namespace sample_T_mesh_test {
+
 using namespace hand_made_maps;
 namespace T = CGAL::T_splines;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -460,3 +462,5 @@ TEST_CASE("Computed maps of meshes", "[sample]")
   CHECK(map.samples.size() > 4500);
   check_samples(map, 10);
 }
+
+} // namespace sample_T_mesh_test

@@ -32,6 +32,8 @@
 #include <utility>
 #include <vector>
 
+namespace trace_motorcycle_graph_test {
+
 using namespace hand_made_maps;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -699,3 +701,5 @@ TEST_CASE("The checker finds what is wrong with a T-mesh", "[trace]")
       knot *= 2;
   }));
 }
+
+} // namespace trace_motorcycle_graph_test

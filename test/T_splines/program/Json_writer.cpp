@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace Json_writer_test {
+
 namespace {
 
 std::string string_as_json(const std::string& text)
@@ -59,3 +61,5 @@ TEST_CASE("numbers read back as the same, and what is not finite is null")
   CHECK(number_as_json(true) == "true");
   CHECK(number_as_json(18446744073709551615ull) == "18446744073709551615");
 }
+
+} // namespace Json_writer_test

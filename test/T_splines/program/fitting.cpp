@@ -33,6 +33,8 @@
 
 #include <unistd.h>
 
+namespace fitting_test {
+
 namespace {
 
 using Surface = Test_t_mesh::Surface;
@@ -278,3 +280,5 @@ TEST_CASE("an interruption while the surface is fitted has exit code 130 and lea
   CHECK(run.exit_code == 130);
   CHECK(contains(run.errors, "interrupted"));
 }
+
+} // namespace fitting_test

@@ -24,6 +24,8 @@
 #include <utility>
 #include <vector>
 
+namespace mesh_to_t_spline_test {
+
 namespace {
 
 /// Checks that the triangles are a closed surface with the Euler characteristic, and the normals have length 1.
@@ -487,3 +489,5 @@ TEST_CASE("a far offset and a tiny scale make no difference")
     check_output(directory.file("output"), mesh);
   }
 }
+
+} // namespace mesh_to_t_spline_test

@@ -19,6 +19,8 @@
 #include <string>
 #include <vector>
 
+namespace reading_test {
+
 namespace {
 
 using Names = std::set<std::string>;
@@ -186,3 +188,5 @@ TEST_CASE("a run does not replace its own input")
   }
   CHECK(Program_run("'" + folder + "/t_spline.obj' --map-only -o '" + folder + "'").exit_code == 0);
 }
+
+} // namespace reading_test
