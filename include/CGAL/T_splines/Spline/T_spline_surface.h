@@ -14,6 +14,7 @@
 #include <CGAL/T_splines/T_mesh/check_spline_compatibility.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
@@ -175,7 +176,8 @@ public:
   /// returns whether an extraordinary vertex is a corner of `f`.
   bool is_at_extraordinary_vertex(const face_descriptor f) const { return m_basis->cone_face_of(index(f)) >= 0; }
 
-  /// returns the point at (u, v) of a face. \pre `is_valid()`; 0 <= u <= width, 0 <= v <= height
+  /// returns the point at (u, v) of a face. \pre `is_valid()`; 0 <= u <= width,
+  /// 0 <= v <= height, but for round-off
   ///
   /// Complexity: linear in the number of basis functions that act in the face.
   Point_3 position(const face_descriptor f, const FT& u, const FT& v) const
@@ -287,9 +289,16 @@ private:
   {
     CGAL_precondition_msg(is_valid(), "the surface is not valid: see report()");
     const int i = index(f);
-    CGAL_precondition_msg(u >= FT(0) && u <= m_basis->t_mesh().width(i), "u is outside of the face");
-    CGAL_precondition_msg(v >= FT(0) && v <= m_basis->t_mesh().height(i), "v is outside of the face");
+    CGAL_precondition_msg(is_in_side(u, m_basis->t_mesh().width(i)), "u is outside of the face");
+    CGAL_precondition_msg(is_in_side(v, m_basis->t_mesh().height(i)), "v is outside of the face");
     return i;
+  }
+
+  // But for round-off: a side of several edges is as long as a sum, which depends on the order.
+  [[maybe_unused]] static bool is_in_side(const FT& x, const FT& size)
+  {
+    const FT tolerance = internal::knot_tolerance(size);
+    return x >= -tolerance && x <= size + tolerance;
   }
 
   void check(const int v)
