@@ -65,7 +65,7 @@ int main(int argc, char* argv[])
                           ? T::reduce_cones(mesh, signature, T::parameters::maximum_number_of_cones(std::atoi(argv[2])))
                           : T::reduce_cones(mesh, signature);
   if (!report.success()) {
-    std::cerr << mesh_file << ": " << message(report.status) << "\n";
+    std::cerr << mesh_file << ": " << describe(report, mesh) << "\n";
     return EXIT_FAILURE;
   }
   print_cones("reduced", signature);

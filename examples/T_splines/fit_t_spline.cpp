@@ -40,10 +40,10 @@ int main(int argc, char* argv[])
     return failure(map_file, describe(reading));
   T::Seamless_map<Mesh> map(mesh);
   if (const auto report = T::make_exactly_seamless(mesh, uv, map); !report.success())
-    return failure(map_file, message(report.status));
+    return failure(map_file, describe(report, mesh));
   T::Surface_T_mesh<Mesh> placed; // the T-mesh, and the mesh on its faces
   if (const auto report = T::compute_T_mesh(map, placed); !report.success())
-    return failure(map_file, message(report.status));
+    return failure(map_file, describe(report));
   T::T_spline<> spline;
   const auto report = T::fit_adaptive_T_spline(placed.t_mesh(), placed.surface(), mesh, tolerance, spline);
   if (!report.success())

@@ -26,10 +26,9 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using FT = CGAL::Exact_rational;
 
-template <typename Status>
-int failure(const std::string& what, const Status status)
+int failure(const std::string& what, const std::string& message)
 {
-  std::cerr << what << ": " << message(status) << "\n";
+  std::cerr << what << ": " << message << "\n";
   return EXIT_FAILURE;
 }
 
@@ -49,7 +48,7 @@ int main(int argc, char* argv[])
   T::Seamless_map<Mesh, FT> map(mesh);
   const auto exact_report = T::make_exactly_seamless(mesh, uv, map);
   if (!exact_report.success())
-    return failure(map_file, exact_report.status);
+    return failure(map_file, describe(exact_report, mesh));
   std::cout << exact_report.number_of_cones << " cones, " << exact_report.number_of_cut_edges << " cut edges, "
             << (exact_report.is_isometric ? "isometric" : "with scale factors") << "; uv moved by up to "
             << exact_report.largest_displacement << "\n";
@@ -59,7 +58,7 @@ int main(int argc, char* argv[])
   const auto places = mesh.add_property_map<Mesh::Vertex_index, T::T_mesh_place<Mesh, double>>("v:place").first;
   const auto report = T::trace_motorcycle_graph(map, t_mesh, T::parameters::vertex_place_map(places));
   if (!report.success())
-    return failure(map_file, report.status);
+    return failure(map_file, describe(report));
   std::cout << report.motorcycles << " motorcycles, " << num_faces(t_mesh.graph()) << " faces, " << report.t_joints
             << " T-joints\n";
   std::vector<std::size_t> number(num_faces(t_mesh.graph()), 0);
@@ -70,7 +69,7 @@ int main(int argc, char* argv[])
 
   // On the two sides of an edge the knots may differ, by a factor; all in all they fit together, exactly.
   if (const auto admissibility = T::check_admissibility(t_mesh); !admissibility)
-    return failure(map_file, admissibility.status);
+    return failure(map_file, describe(admissibility, t_mesh.graph()));
   if (const std::error_code error = T::write_t_mesh(t_mesh_file, t_mesh)) {
     std::cerr << t_mesh_file << ": " << error.message() << "\n";
     return EXIT_FAILURE;

@@ -80,7 +80,7 @@ int main(int argc, char* argv[])
   const auto report = T::compute_similarity_metric( // by reference: what it counts is wanted afterwards
       mesh, signature, metric, CGAL::parameters::sparse_linear_solver(std::ref(solver)));
   if (!report.success()) {
-    std::cerr << mesh_file << ": " << message(report.status) << "\n";
+    std::cerr << mesh_file << ": " << describe(report, mesh) << "\n";
     return EXIT_FAILURE;
   }
   std::cout << report.iterations << " iterations, " << solver.factorizations() << " factorizations, " << solver.solves()

@@ -47,14 +47,14 @@ int main(int argc, char* argv[])
     return failure(map_file, describe(reading));
   T::Seamless_map<Mesh, FT> map(mesh);
   if (const auto report = T::make_exactly_seamless(mesh, uv, map); !report.success())
-    return failure(map_file, message(report.status));
+    return failure(map_file, describe(report, mesh));
   T::T_mesh<Kernel::Point_3, FT> t_mesh;
   const auto anchors = t_mesh.graph().add_property_map<Mesh::Face_index, T::T_mesh_anchor<Mesh, FT>>("f:anchor").first;
   const auto places = mesh.add_property_map<Mesh::Vertex_index, T::T_mesh_place<Mesh, double>>("v:place").first;
   const auto graph = T::trace_motorcycle_graph(
       map, t_mesh, T::parameters::vertex_place_map(places, T::parameters::face_anchor_map(anchors)));
   if (!graph.success())
-    return failure(map_file, message(graph.status));
+    return failure(map_file, describe(graph));
 
   // Two observers follow the changes: the roots hold the T-mesh to the surface, the samples of the surface travel with
   // the faces, whose size they measure.
@@ -66,14 +66,12 @@ int main(int argc, char* argv[])
   const auto with_observer = T::parameters::observer(T::T_mesh_observer_pair(roots, face_size.observer()));
 
   const auto regularization = T::regularize_T_mesh(t_mesh, with_observer);
-  std::cout << "regularized from " << regularization.faces_before << " to " << regularization.faces_after
-            << " faces, the worst aspect ratio from " << regularization.worst_aspect_before << " to "
-            << regularization.worst_aspect_after << "\n";
+  std::cout << describe(regularization) << "\n";
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
   const double size = relative_size * std::max({box.x_span(), box.y_span(), box.z_span()});
   const auto refinement = T::refine_T_mesh(t_mesh, face_size, size, with_observer);
   if (!refinement.success())
-    return failure("refinement", message(refinement.status));
+    return failure("refinement", describe(refinement, t_mesh.graph()));
   std::cout << "refined to " << num_faces(t_mesh.graph()) << " faces\n";
   const auto compatibility = T::make_spline_compatible(t_mesh, with_observer);
   if (!compatibility.success())
@@ -81,8 +79,8 @@ int main(int argc, char* argv[])
   std::cout << "spline compatible with " << num_faces(t_mesh.graph()) << " faces\n";
 
   // New vertices have no points yet. Walking along the edges of the T-mesh finds them.
-  if (!T::place_T_mesh(map, t_mesh, roots))
-    return failure(map_file, "the T-mesh has left the surface");
+  if (const auto placement = T::place_T_mesh(map, t_mesh, roots); !placement.success())
+    return failure(map_file, describe(placement, t_mesh.graph()));
   if (const std::error_code error = T::write_t_mesh(t_mesh_file, t_mesh))
     return failure(t_mesh_file, error.message());
   return EXIT_SUCCESS;

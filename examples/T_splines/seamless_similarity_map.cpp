@@ -27,10 +27,9 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Location = PMP::Face_location<Mesh, double>;
 using Transition = T::Similarity_2<double>;
 
-template <typename Status>
-int failure(const std::string& file, const Status status)
+int failure(const std::string& file, const std::string& message)
 {
-  std::cerr << file << ": " << message(status) << "\n";
+  std::cerr << file << ": " << message << "\n";
   return EXIT_FAILURE;
 }
 
@@ -48,13 +47,13 @@ int main(int argc, char* argv[])
   const auto cross_field = mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:cross").first;
   const auto field_report = T::compute_smooth_cross_field(mesh, cross_field);
   if (!field_report.success())
-    return failure(mesh_file, field_report.status);
+    return failure(mesh_file, describe(field_report, mesh));
   T::Holonomy_signature<Mesh> signature;
   const auto signature_report = T::holonomy_signature_of_cross_field(mesh, cross_field, signature);
   if (!signature_report.success())
-    return failure(mesh_file, signature_report.status);
+    return failure(mesh_file, describe(signature_report, mesh));
   if (const auto cone_report = T::reduce_cones(mesh, signature); !cone_report.success())
-    return failure(mesh_file, cone_report.status);
+    return failure(mesh_file, describe(cone_report, mesh));
 
   // The map lives on a refinement of the mesh. Only uv is asked for; the rest is optional.
   const auto uv = refined.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
@@ -66,7 +65,7 @@ int main(int argc, char* argv[])
       T::parameters::edge_is_cut_map(
           is_cut, T::parameters::halfedge_transition_map(transition, T::parameters::vertex_location_map(location))));
   if (!report.success())
-    return failure(mesh_file, report.status);
+    return failure(mesh_file, describe(report, mesh));
   std::cout << num_faces(mesh) << " faces, refined to " << num_faces(refined) << "; residual " << report.residual
             << " after " << report.iterations << " iterations\n";
 

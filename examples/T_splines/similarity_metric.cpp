@@ -68,7 +68,7 @@ int main(int argc, char* argv[])
   T::Similarity_metric<Mesh> metric;
   const auto report = T::compute_similarity_metric(mesh, signature, metric, CGAL::parameters::visitor(Stage_printer()));
   if (!report.success()) {
-    std::cerr << mesh_file << ": " << message(report.status) << ", residual " << report.residual << "\n";
+    std::cerr << mesh_file << ": " << describe(report, mesh) << "\n";
     return EXIT_FAILURE;
   }
   for (const double residual : report.residual_history)

@@ -40,7 +40,7 @@ int main(int argc, char* argv[])
   const auto report = CGAL::T_splines::compute_smooth_cross_field(
       mesh, cross_field, CGAL::T_splines::parameters::curvature_alignment(alignment));
   if (!report.success()) {
-    std::cerr << mesh_file << ": " << message(report.status) << "\n";
+    std::cerr << mesh_file << ": " << describe(report, mesh) << "\n";
     return EXIT_FAILURE;
   }
   std::cout << num_faces(mesh) << " crosses, " << report.number_of_singularities << " singularities\n";

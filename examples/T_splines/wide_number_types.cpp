@@ -48,7 +48,7 @@ int main(int argc, char* argv[])
   const auto report = T::compute_similarity_metric(
       mesh, signature, metric, T::parameters::number_type(FT(), T::parameters::residual_tolerance(1e-40)));
   if (!report.success()) {
-    std::cerr << mesh_file << ": " << message(report.status) << ", residual " << report.residual << "\n";
+    std::cerr << mesh_file << ": " << describe(report, mesh) << "\n";
     return EXIT_FAILURE;
   }
   std::cout << "residual " << report.residual << " after " << report.iterations << " iterations, computed with "

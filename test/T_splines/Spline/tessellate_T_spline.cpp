@@ -98,9 +98,13 @@ TEST_CASE("the mesh has the topology of the surface, its points, normals and pla
     const Mesh::Surface spline = prepared(t);
     Triangles mesh;
     const auto normals = mesh.add_property_map<Triangles::Vertex_index, Kernel::Vector_3>("v:normal").first;
-    REQUIRE(T::tessellate_T_spline(spline, 3, mesh, CGAL::parameters::vertex_normal_map(normals)));
+    const auto made = T::tessellate_T_spline(spline, 3, mesh, CGAL::parameters::vertex_normal_map(normals));
+    REQUIRE(made);
+    CHECK(describe(made) == "the surface was tessellated");
     const auto number_of_faces = mesh.number_of_faces();
-    CHECK_FALSE(T::tessellate_T_spline(spline, 3, mesh)); // it is not empty any more
+    const auto refused = T::tessellate_T_spline(spline, 3, mesh); // it is not empty any more
+    CHECK_FALSE(refused);
+    CHECK(describe(refused) == "the mesh that is to receive the triangles is not empty; give a new one");
     CHECK(mesh.number_of_faces() == number_of_faces);
     CHECK(euler_characteristic(mesh) == characteristic);
     CHECK(CGAL::is_closed(mesh) == (characteristic != 1));

@@ -20,6 +20,7 @@
 #include <catch2/catch.hpp>
 
 #include <iterator>
+#include <string>
 #include <vector>
 
 namespace cancelling_test {
@@ -122,6 +123,7 @@ TEST_CASE("A T-mesh whose change is cancelled is admissible, and its observer kn
     auto surface = scene.box.surface;
     const auto report = T::regularize_T_mesh(t_mesh, P::observer(surface.observer()).visitor(visitor));
     check_valid(t_mesh, surface);
+    CHECK(describe(report).find(message(report.status)) == 0);
     return report.status == T::T_mesh_regularization_status::INTERRUPTED;
   });
   check_cancelling([&](const auto& visitor) {
@@ -152,6 +154,7 @@ TEST_CASE("A T-mesh whose grading is cancelled is admissible", "[cancel]")
     T_mesh t_mesh = uneven;
     const auto report = T::grade_T_mesh(t_mesh, 3, CGAL::parameters::visitor(visitor));
     CHECK(T::check_admissibility(t_mesh));
+    CHECK(describe(report).find(std::to_string(report.splits) + " splits") != std::string::npos);
     return report.status == T::T_mesh_grading_status::INTERRUPTED;
   });
 }
@@ -178,8 +181,9 @@ TEST_CASE("The placement of a T-mesh can be cancelled", "[cancel]")
   T::Carried_anchors<Mesh, Mesh, FT> roots(t_mesh.graph(), scene.anchors);
   REQUIRE(T::make_spline_compatible(t_mesh, P::observer(roots)));
   check_cancelling([&](const auto& visitor) {
-    return T::place_T_mesh(scene.map, t_mesh, roots, CGAL::parameters::visitor(visitor)).status ==
-           T::T_mesh_placement_status::INTERRUPTED;
+    const auto report = T::place_T_mesh(scene.map, t_mesh, roots, CGAL::parameters::visitor(visitor));
+    CHECK(describe(report, t_mesh.graph()) == message(report.status));
+    return report.status == T::T_mesh_placement_status::INTERRUPTED;
   });
 }
 

@@ -93,7 +93,10 @@ TEMPLATE_TEST_CASE("sizes change gradually after grading", "[grade_T_mesh]", (st
 TEST_CASE("a graded T-mesh is not changed", "[grade_T_mesh]")
 {
   test_t_meshes::T_mesh<Surface_mesh, Rational> t(test_t_meshes::torus<Rational>(4, 3));
-  CHECK(grade_T_mesh(t, 3).splits == 0);
+  const auto report = grade_T_mesh(t, 3);
+  CHECK(report.success());
+  CHECK(report.splits == 0);
+  CHECK(describe(report) == "the sizes of the faces change gradually (0 splits)");
 }
 
 TEST_CASE("a T-mesh that was graded can be made spline compatible again", "[grade_T_mesh]")

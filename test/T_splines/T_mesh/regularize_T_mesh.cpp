@@ -186,8 +186,10 @@ TEST_CASE("constrained vertices keep their edges, and no more is done than allow
   SECTION("no operation is allowed")
   {
     const auto report = CGAL::T_splines::regularize_T_mesh(t, parameters::number_of_iterations(std::size_t(0)));
+    CHECK(report.success());
     CHECK(report.faces_after == 10);
     CHECK(report.worst_aspect_after == Approx(10));
+    CHECK(describe(report) == "the T-mesh was regularized: from 10 to 10 faces, the worst aspect ratio from 10 to 10");
   }
   SECTION("without constraints")
   {

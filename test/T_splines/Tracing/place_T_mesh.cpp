@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace place_T_mesh_test {
 
@@ -190,22 +191,28 @@ TEST_CASE("A T-mesh with edges over cones or borders, or with foreign roots, doe
         place_T_mesh(graph.traced.map, t_mesh, roots,
                      CGAL::T_splines::parameters::output_vertex_point_map(boost::make_assoc_property_map(points)));
     CHECK(report.success() == (report.status == Status::PLACED));
-    CHECK(std::string(message(report.status)) != "");
-    return report.status;
+    return std::pair(report.status, describe(report, t_mesh.graph()));
   };
   for (const Plain_map& map : {folded(net(cube(), 2, Pattern::CROSSES)), folded(bordered_l(2, Pattern::CROSSES))}) {
     Changing graph(map);
-    CHECK(place(graph.traced.view(), graph, graph.roots) == Status::PLACED);
-    CHECK(place(CGAL::T_splines::T_mesh<Kernel::Point_3, Exact>(), graph, graph.roots) == Status::DOES_NOT_FIT);
+    const std::pair placed(Status::PLACED, std::string("the T-mesh was placed on the surface"));
+    const std::pair foreign(Status::FOREIGN_ROOT,
+                            std::string("a root names a face that the T-mesh or the mapped mesh does "
+                                        "not have: the roots are those of another T-mesh or map"));
+    CHECK(place(graph.traced.view(), graph, graph.roots) == placed);
+    CHECK(place(CGAL::T_splines::T_mesh<Kernel::Point_3, Exact>(), graph, graph.roots) == foreign);
     for (auto& knot : graph.traced.knots)
       knot.second *= 3; // over a cone, or beyond the border
-    CHECK(place(graph.traced.view(), graph, graph.roots) == Status::DOES_NOT_FIT);
+    const auto [status, words] = place(graph.traced.view(), graph, graph.roots);
+    CHECK(status == Status::DOES_NOT_FIT);
+    CHECK(words.find("beyond a border: edge from vertex ") != std::string::npos);
+    CHECK(words.find(", counted from 0") != std::string::npos);
     for (auto& knot : graph.traced.knots)
       knot.second /= 3;
     for (auto& anchor : graph.traced.anchors)
       anchor.second.triangle = Surface_mesh::Face_index(num_faces(graph.traced.mesh));
     const Changing::Roots roots(graph.traced.graph, boost::make_assoc_property_map(graph.traced.anchors));
-    CHECK(place(graph.traced.view(), graph, roots) == Status::DOES_NOT_FIT);
+    CHECK(place(graph.traced.view(), graph, roots) == foreign);
   }
 }
 

@@ -112,7 +112,7 @@ public:
   /// \param np named parameters of `place_T_mesh()`, its output maps apart
   /// \return whether it still fits on the mesh, as operations of the package leave it
   template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
-  T_mesh_placement_report place(const Map& map, const NamedParameters& np = CGAL::parameters::default_values())
+  T_mesh_placement_report<Graph> place(const Map& map, const NamedParameters& np = CGAL::parameters::default_values())
   {
     return place_T_mesh(map, m_parts->t_mesh, *m_parts->roots, parameters::edge_polyline_map(m_parts->polylines, np));
   }

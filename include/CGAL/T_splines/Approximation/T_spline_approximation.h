@@ -301,8 +301,7 @@ public:
     if (!m_t_mesh)
       return lacks("a T-mesh");
     m_report.regularization = m_t_mesh->regularize(np);
-    return ended(m_report.regularization, Status::TRACING_FAILED,
-                 [&] { return std::string(message(m_report.regularization.status)); });
+    return ended(m_report.regularization, Status::TRACING_FAILED, [&] { return describe(m_report.regularization); });
   }
 
   /// finds the points and polylines of the T-mesh after `regularize_T_mesh()`: `Surface_T_mesh::place()`. The fit does
@@ -312,8 +311,8 @@ public:
   {
     if (!m_t_mesh || !m_mapped)
       return lacks("a T-mesh");
-    const T_mesh_placement_report report = m_t_mesh->place(m_mapped->map(), np);
-    return ended(report, Status::PLACEMENT_FAILED, [&] { return std::string(message(report.status)); });
+    const auto report = m_t_mesh->place(m_mapped->map(), np);
+    return ended(report, Status::PLACEMENT_FAILED, [&] { return describe(report, m_t_mesh->t_mesh().graph()); });
   }
 
   /// runs the stages up to the regularized T-mesh that have no result yet, with their defaults.

@@ -24,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -178,6 +179,14 @@ struct T_spline_tessellation_report {
   /// converts to `true` upon success.
   explicit operator bool() const { return success(); }
 };
+
+/// \ingroup PkgTSplinesSpline
+/// returns what `report` says, and what can be done about it.
+inline std::string describe(const T_spline_tessellation_report& report)
+{
+  const std::string text = message(report.status);
+  return report.status == T_spline_tessellation_status::OUTPUT_NOT_EMPTY ? text + "; give a new one" : text;
+}
 
 namespace internal {
 

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -55,6 +56,13 @@ struct T_mesh_grading_report {
   /// converts to `true` upon success.
   explicit operator bool() const { return success(); }
 };
+
+/// \ingroup PkgTSplinesTMesh
+/// returns what `report` says, with the number of splits.
+inline std::string describe(const T_mesh_grading_report& report)
+{
+  return message(report.status) + (" (" + std::to_string(report.splits) + " splits)");
+}
 
 namespace internal {
 

@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <sstream>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -60,6 +62,16 @@ struct T_mesh_regularization_report {
   /// converts to `true` upon success.
   explicit operator bool() const { return success(); }
 };
+
+/// \ingroup PkgTSplinesTMesh
+/// returns what `report` says, with the numbers of faces and the worst aspect ratios before and after.
+inline std::string describe(const T_mesh_regularization_report& report)
+{
+  std::ostringstream text;
+  text << message(report.status) << ": from " << report.faces_before << " to " << report.faces_after
+       << " faces, the worst aspect ratio from " << report.worst_aspect_before << " to " << report.worst_aspect_after;
+  return text.str();
+}
 
 namespace internal {
 

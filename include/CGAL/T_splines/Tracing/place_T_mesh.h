@@ -11,15 +11,18 @@
 #include <CGAL/T_splines/Tracing/internal/Chart_points.h>
 #include <CGAL/T_splines/Tracing/internal/T_mesh_placement.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/element_numbers.h>
 #include <CGAL/T_splines/internal/graph_checks.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -30,8 +33,9 @@ namespace T_splines {
 /// How the placement of a T-mesh ended.
 enum class T_mesh_placement_status {
   PLACED,       ///< points, and polylines if they were asked for, are written
-  DOES_NOT_FIT, ///< an edge leads over a cone or beyond a border, or a root names a face that the T-mesh or the mapped
-                ///< mesh does not have; not all is written
+  FOREIGN_ROOT, ///< a root names a face that the T-mesh or the mapped mesh does not have; nothing is written
+  DOES_NOT_FIT, ///< the way along `halfedge`, or to the origin of the root's `face`, leads over a cone or beyond a
+                ///< border; not all is written
   INTERRUPTED   ///< the visitor asked to stop; not all is written
 };
 
@@ -41,6 +45,8 @@ inline const char* message(const T_mesh_placement_status status)
 {
   switch (status) {
   case T_mesh_placement_status::PLACED: return "the T-mesh was placed on the surface";
+  case T_mesh_placement_status::FOREIGN_ROOT:
+    return "a root names a face that the T-mesh or the mapped mesh does not have";
   case T_mesh_placement_status::DOES_NOT_FIT:
     return "the T-mesh does not fit the map: an edge leads over a cone or beyond a border";
   case T_mesh_placement_status::INTERRUPTED: return "interrupted by the visitor";
@@ -49,15 +55,37 @@ inline const char* message(const T_mesh_placement_status status)
 }
 
 /// \ingroup PkgTSplinesTracing
-/// What `place_T_mesh()` did.
+/// What `place_T_mesh()` did. Members that `status` does not mention have no meaning.
+/// \tparam Graph a model of `FaceGraph`
+template <typename Graph>
 struct T_mesh_placement_report {
-  T_mesh_placement_status status = T_mesh_placement_status::PLACED; ///< how it ended
+  using Traits = boost::graph_traits<Graph>;
+
+  T_mesh_placement_status status = T_mesh_placement_status::PLACED;        ///< how it ended
+  typename Traits::halfedge_descriptor halfedge = Traits::null_halfedge(); ///< the halfedge that `status` is about
+  typename Traits::face_descriptor face = Traits::null_face(); ///< the face that `status` is about, if not a halfedge
 
   /// returns whether `status` tells of success.
   bool success() const { return status == T_mesh_placement_status::PLACED; }
   /// converts to `true` upon success.
   explicit operator bool() const { return success(); }
 };
+
+/// \ingroup PkgTSplinesTracing
+/// returns what `report` says, with the numbers of the elements of the T-mesh concerned, counted from 0. Complexity:
+/// linear in the size of the T-mesh.
+template <typename Graph>
+std::string describe(const T_mesh_placement_report<Graph>& report, const Graph& graph)
+{
+  std::string text = message(report.status);
+  if (report.status == T_mesh_placement_status::FOREIGN_ROOT)
+    text += ": the roots are those of another T-mesh or map";
+  else if (report.halfedge != boost::graph_traits<Graph>::null_halfedge())
+    text += ": " + internal::edge_in_words(report.halfedge, graph) + ", counted from 0";
+  else if (report.face != boost::graph_traits<Graph>::null_face())
+    text += ": at " + internal::face_in_words(report.face, graph) + ", counted from 0";
+  return text;
+}
 
 /// \ingroup PkgTSplinesTracing
 /// finds where a T-mesh that was changed by operations lies on the surface: the points of its vertices and the course
@@ -105,19 +133,20 @@ struct T_mesh_placement_report {
 /// Complexity: linear in the number of triangles that the edges cross, and in the size of the mapped mesh.
 template <typename TriangleMesh, typename FT, typename TMesh,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-T_mesh_placement_report place_T_mesh(const Seamless_map<TriangleMesh, FT>& map, TMesh&& t_mesh,
-                                     const Carried_anchors<TriangleMesh, T_mesh_graph<TMesh>, FT>& roots,
-                                     const NamedParameters& np = CGAL::parameters::default_values())
+T_mesh_placement_report<T_mesh_graph<TMesh>>
+place_T_mesh(const Seamless_map<TriangleMesh, FT>& map, TMesh&& t_mesh,
+             const Carried_anchors<TriangleMesh, T_mesh_graph<TMesh>, FT>& roots,
+             const NamedParameters& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  T_mesh_placement_report report;
+  T_mesh_placement_report<T_mesh_graph<TMesh>> report;
   const auto face_of = [](const auto& root) { return root.place.face; };
   const auto triangle_of = [](const auto& root) { return root.anchor.triangle; };
   if (map.layout().mesh().number_of_faces() == 0 ||
       internal::first_foreign_face(t_mesh.graph(), roots.roots(), face_of) < roots.roots().size() ||
       internal::first_foreign_face(map.mesh(), roots.roots(), triangle_of) < roots.roots().size()) {
-    report.status = T_mesh_placement_status::DOES_NOT_FIT;
+    report.status = T_mesh_placement_status::FOREIGN_ROOT;
     return report;
   }
   const auto traits = choose_parameter(get_parameter(np, np_tags::tracing_traits), Default_tracing_traits<FT>());
@@ -148,8 +177,13 @@ T_mesh_placement_report place_T_mesh(const Seamless_map<TriangleMesh, FT>& map, 
   progress.go_on();
   for (const auto& root : roots.roots())
     if (!placement.place(root, found_vertex, found_edge, progress)) {
-      report.status =
-          progress.is_interrupted() ? T_mesh_placement_status::INTERRUPTED : T_mesh_placement_status::DOES_NOT_FIT;
+      if (progress.is_interrupted()) {
+        report.status = T_mesh_placement_status::INTERRUPTED;
+        return report;
+      }
+      report.status = T_mesh_placement_status::DOES_NOT_FIT;
+      report.halfedge = placement.failed_halfedge();
+      report.face = root.place.face;
       return report;
     }
   return report;

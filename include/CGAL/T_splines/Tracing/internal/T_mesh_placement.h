@@ -59,7 +59,7 @@ public:
   }
 
   /// Places the component of a root. \param found_vertex, found_edge are called with what is placed
-  /// \return false if an edge leads nowhere, or `progress` is interrupted
+  /// \return false if an edge, or the way to the origin of the root's face, leads nowhere, or `progress` is interrupted
   template <typename Root, typename FoundVertex, typename FoundEdge>
   bool place(const Root& root, const FoundVertex& found_vertex, const FoundEdge& found_edge, Progress& progress)
   {
@@ -85,6 +85,9 @@ public:
     }
     return true;
   }
+
+  /// The halfedge that leads nowhere, or null, after `place()` has failed.
+  halfedge_descriptor failed_halfedge() const { return m_failed_halfedge; }
 
 private:
   static constexpr std::size_t work_per_triangle = 100; // in exact numbers
@@ -175,8 +178,10 @@ private:
     if (!is_new && !is_main)
       return true; // the polyline comes from the other end
     std::vector<Point_3> polyline(1, m_walker.point(stand));
-    if (!m_walker.walk(stand, FT(1), polyline))
+    if (!m_walker.walk(stand, FT(1), polyline)) {
+      m_failed_halfedge = h;
       return false;
+    }
     ++m_number_of_edges;
     m_crossed_triangles += polyline.size();
     if (!is_main)
@@ -198,6 +203,7 @@ private:
   std::deque<Known_halfedge> m_queue;
   std::size_t m_number_of_edges = 0; // that were walked along
   std::size_t m_crossed_triangles = 0;
+  halfedge_descriptor m_failed_halfedge = boost::graph_traits<Graph>::null_halfedge();
 };
 
 } // namespace internal
