@@ -12,6 +12,10 @@ analysis serves many factorizations, and one factorization serves many right-han
 Matrices are `CGAL::T_splines::Symmetric_sparse_matrix<FT>`, the lower triangle in compressed columns; vectors are
 `std::vector<FT>`. A model keeps what it needs of a matrix: the caller may change or destroy it after any call.
 
+A factorization of a large matrix takes seconds. A model may have one more function, `bool factorize(a, go_on)` with a
+`const std::function<bool()>& go_on`, which asks `go_on()` every few milliseconds whether to go on and fails if it says no.
+Algorithms with a visitor call it then. Without it, they ask the visitor before and after a factorization.
+
 A model reports failure by its return values. It throws nothing but `std::bad_alloc` and prints nothing. No function
 may run in two threads on one object, nor on objects that share their state.
 

@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/Solver/Eigen_spd_solver_traits.h>
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
 
+#include <functional>
 #include <variant>
 #include <vector>
 
@@ -38,9 +39,14 @@ public:
   {
     return std::visit([&a](auto& solver) { return solver.analyze_pattern(a); }, m_solver);
   }
-  bool factorize(const Matrix& a)
+  /// \param go_on is asked by the solver that can be interrupted
+  bool factorize(const Matrix& a, const std::function<bool()>& go_on = nullptr)
   {
-    return std::visit([&a](auto& solver) { return solver.factorize(a); }, m_solver);
+#ifdef CGAL_T_SPLINES_WITH_CHOLMOD
+    if (auto* const cholmod = std::get_if<CGAL::T_splines::Cholmod_spd_solver_traits>(&m_solver))
+      return cholmod->factorize(a);
+#endif
+    return std::get<CGAL::T_splines::Eigen_spd_solver_traits<>>(m_solver).factorize(a, go_on);
   }
   bool solve(const std::vector<FT>& b, std::vector<FT>& x) const
   {

@@ -75,6 +75,51 @@ TEST_CASE("an iterative solver that does not converge fails", "[Eigen_spd_solver
   CHECK(backward_error(a, x, b) <= 1e-12);
 }
 
+TEMPLATE_TEST_CASE("a factorization can be given up, asks often, and its result does not depend on the questions",
+                   "[Eigen_spd_solver_traits]", Ldlt, Ldlt_natural)
+{
+  const auto a = shifted_laplacian<double>(300, 300, 1e-2);
+  TestType asking, plain;
+  REQUIRE(asking.analyze_pattern(a));
+  REQUIRE(plain.analyze_pattern(a));
+  int number_of_questions = 0;
+  REQUIRE(asking.factorize(a, [&] {
+    ++number_of_questions;
+    return true;
+  }));
+  CHECK(number_of_questions > 2);
+  REQUIRE(plain.factorize(a));
+  const std::vector<double> b = random_vector<double>(90000);
+  std::vector<double> x, y;
+  REQUIRE(asking.solve(b, x));
+  REQUIRE(plain.solve(b, y));
+  CHECK(x == y);
+
+  int last_question = 2;
+  CHECK_FALSE(asking.factorize(a, [&] { return --last_question > 0; }));
+  CHECK(last_question == 0); // there is no question after a no
+  REQUIRE(asking.factorize(a));
+  REQUIRE(asking.solve(b, x));
+  CHECK(x == y);
+}
+
+TEST_CASE("settings of Eigen's solver are heeded, and the factorization is Eigen's", "[Eigen_spd_solver_traits]")
+{
+  const auto a = shifted_laplacian<double>(30, 20, 1e-2);
+  const Eigen::Map<const Eigen::SparseMatrix<double>> matrix(
+      a.size(), a.size(), static_cast<int>(a.number_of_entries()), a.column_begin.data(), a.row.data(), a.value.data());
+  Ldlt solver;
+  solver.solver().setShift(0.5, 2);
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> eigen;
+  eigen.setShift(0.5, 2);
+  eigen.compute(matrix);
+  REQUIRE(solver.analyze_pattern(a));
+  REQUIRE(solver.factorize(a));
+  const Eigen::VectorXd expected = eigen.vectorD();
+  CHECK((solver.solver().vectorD() - expected).norm() <= 1e-14 * expected.norm());
+  CHECK((solver.solver().matrixL().nestedExpression() - eigen.matrixL().nestedExpression()).norm() <= 1e-14 * 600);
+}
+
 TEST_CASE("copies share the solver", "[Eigen_spd_solver_traits]")
 {
   const auto a = shifted_laplacian<double>(5, 5, 1.);

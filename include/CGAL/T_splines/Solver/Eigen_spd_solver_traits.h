@@ -7,6 +7,7 @@
 #ifdef CGAL_EIGEN3_ENABLED
 
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
+#include <CGAL/T_splines/Solver/internal/Interruptible_ldlt.h>
 #include <CGAL/T_splines/Solver/internal/is_finite.h>
 
 #include <CGAL/assertions.h>
@@ -16,7 +17,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -54,17 +57,24 @@ public:
   }
 
   /// factorizes `a`. \pre `analyze_pattern()` has been called with a matrix of the same pattern.
+  /// \param a symmetric and positive definite
+  /// \param go_on if it is not empty, `Eigen::SimplicialLDLT` asks it every few milliseconds, and fails if it says no.
+  /// Other solvers do not ask.
   /// \return `false` if `a` is not finite, or not positive definite to working precision; an iterative solver notices the
   /// latter in `solve()`, or not at all.
-  bool factorize(const Symmetric_sparse_matrix<FT>& a)
+  bool factorize(const Symmetric_sparse_matrix<FT>& a, [[maybe_unused]] const std::function<bool()>& go_on = nullptr)
   {
     CGAL_precondition(m_state->matrix.rows() == a.size() &&
                       static_cast<std::size_t>(m_state->matrix.nonZeros()) == a.number_of_entries());
     if (!internal::is_finite(a.value)) // an infinite pivot would pass for a zero in the solution
       return false;
     std::copy(a.value.begin(), a.value.end(), m_state->matrix.valuePtr());
-    m_state->solver.factorize(m_state->matrix);
-    return m_state->solver.info() == Eigen::Success && has_positive_pivots(m_state->solver, 0);
+    if constexpr (std::is_same<Solver, EigenSolver>::value) {
+      m_state->solver.factorize(m_state->matrix);
+      return m_state->solver.info() == Eigen::Success;
+    }
+    else
+      return m_state->solver.factorize(m_state->matrix, go_on);
   }
 
   /// solves A x = b with the last factorization. \pre It succeeded.
@@ -84,25 +94,14 @@ public:
   EigenSolver& solver() { return m_state->solver; }
 
 private:
+  using Solver = typename internal::Interruptible_solver<EigenSolver>::type;
   using Vector = Eigen::Matrix<FT, Eigen::Dynamic, 1>;
 
   // Eigen's iterative solvers point into the matrix that they were given last: both live together, at one address.
   struct State {
     Matrix matrix;
-    EigenSolver solver;
+    Solver solver;
   };
-
-  // LDL^T also exists for indefinite matrices; Eigen's solvers that compute it do not look at the signs in D.
-  template <typename Solver>
-  static auto has_positive_pivots(const Solver& solver, int) -> decltype(solver.vectorD(), bool())
-  {
-    return (solver.vectorD().array() > FT(0)).all();
-  }
-  template <typename Solver>
-  static bool has_positive_pivots(const Solver&, long)
-  {
-    return true;
-  }
 
   std::shared_ptr<State> m_state = std::make_shared<State>();
 };

@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/Cross_field/internal/Intrinsic_laplacian.h>
 #include <CGAL/T_splines/Cross_field/internal/strip_turning.h>
 #include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
+#include <CGAL/T_splines/Solver/support/factorize.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/mesh_components.h>
@@ -108,10 +109,7 @@ public:
   /// Complexity: one factorization, and a solve per cone and loop.
   bool compute(const std::vector<int>& cones, Progress& progress)
   {
-    if (!progress.go_on())
-      return false;
-    if (m_laplacian.matrix().size() > 0 &&
-        !(m_solver.analyze_pattern(m_laplacian.matrix()) && m_solver.factorize(m_laplacian.matrix())))
+    if (m_laplacian.matrix().size() > 0 && !analyze_and_factorize(m_solver, m_laplacian.matrix(), progress))
       return false;
     m_disks.clear();
     for (const int v : cones) {
@@ -119,7 +117,7 @@ public:
       if (!progress.go_on_after(10 * m_disks.back().size()))
         return false;
     }
-    if (!compute_defect_terms() || !compute_loop_terms(cones, progress))
+    if (!progress.go_on() || !compute_defect_terms() || !compute_loop_terms(cones, progress))
       return false;
     const std::size_t n = cones.size(), number_of_solves = m_strips.size() + n;
     m_interaction.assign(n, std::vector<double>(n));

@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/first_degeneracy.h>
 #include <CGAL/T_splines/Solver/preconditioned_conjugate_gradients.h>
 #include <CGAL/T_splines/Solver/support/Interruptible_preconditioner.h>
+#include <CGAL/T_splines/Solver/support/factorize.h>
 #include <CGAL/T_splines/defaults.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
@@ -170,7 +171,7 @@ private:
     ++m_record.factorizations;
     ++m_record.factorizations_in_use;
     m_is_factorized = true;
-    return m_progress.go_on() && m_solver.analyze_pattern(matrix) && m_progress.go_on() && m_solver.factorize(matrix);
+    return analyze_and_factorize(m_solver, matrix, m_progress);
   }
 
   double slope() const

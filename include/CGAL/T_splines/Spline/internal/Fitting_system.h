@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
 #include <CGAL/T_splines/Solver/preconditioned_conjugate_gradients.h>
 #include <CGAL/T_splines/Solver/support/Interruptible_preconditioner.h>
+#include <CGAL/T_splines/Solver/support/factorize.h>
 #include <CGAL/T_splines/Spline/internal/Face_functions.h>
 #include <CGAL/T_splines/Spline/internal/T_spline_basis.h>
 #include <CGAL/T_splines/Spline/internal/Thin_plate_energy.h>
@@ -177,8 +178,8 @@ public:
     set_matrix();
     find_scale();
     scale_matrix();
-    const bool is_factorized = m_progress.go_on() && (m_is_analyzed || solver.analyze_pattern(m_matrix)) &&
-                               m_progress.go_on() && solver.factorize(m_matrix);
+    const bool is_factorized =
+        m_is_analyzed ? factorize(solver, m_matrix, m_progress) : analyze_and_factorize(solver, m_matrix, m_progress);
     m_is_analyzed = true;
     return is_factorized && solve_for_points(solver, points);
   }
