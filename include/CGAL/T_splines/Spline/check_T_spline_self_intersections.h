@@ -5,10 +5,10 @@
 #define CGAL_T_SPLINES_SPLINE_CHECK_T_SPLINE_SELF_INTERSECTIONS_H
 
 #include <CGAL/T_splines/Spline/T_spline_self_intersection_report.h>
-#include <CGAL/T_splines/Spline/internal/Axis_parallel_box.h>
 #include <CGAL/T_splines/Spline/internal/Mesh_intersections.h>
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
 #include <CGAL/T_splines/defaults.h>
+#include <CGAL/T_splines/internal/Axis_parallel_box.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 

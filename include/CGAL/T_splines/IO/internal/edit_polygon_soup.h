@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_IO_INTERNAL_EDIT_POLYGON_SOUP_H
 
 #include <CGAL/T_splines/IO/internal/Polygon_soup.h>
+#include <CGAL/T_splines/internal/Axis_parallel_box.h>
 
 #include <algorithm>
 #include <array>
@@ -20,14 +21,10 @@ namespace internal {
 /// The longest side of the bounding box of the points: what distances are relative to.
 inline double longest_side(const Polygon_soup& soup)
 {
-  double longest = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto less = [i](const std::array<double, 3>& p, const std::array<double, 3>& q) { return p[i] < q[i]; };
-    const auto [low, high] = std::minmax_element(soup.points.begin(), soup.points.end(), less);
-    if (low != soup.points.end())
-      longest = std::max(longest, (*high)[i] - (*low)[i]);
-  }
-  return longest;
+  Axis_parallel_box<double> box;
+  for (const std::array<double, 3>& p : soup.points)
+    box.extend(p);
+  return box.extent();
 }
 
 /// Replaces each corner by the representative of its point. The points that are replaced remain, without a polygon.

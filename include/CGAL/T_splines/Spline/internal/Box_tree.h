@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_SPLINE_INTERNAL_BOX_TREE_H
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_BOX_TREE_H
 
-#include <CGAL/T_splines/Spline/internal/Axis_parallel_box.h>
+#include <CGAL/T_splines/internal/Axis_parallel_box.h>
 #include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/assertions.h>

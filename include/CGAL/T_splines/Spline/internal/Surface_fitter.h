@@ -7,7 +7,6 @@
 #include <CGAL/T_splines/Spline/T_spline_fit_report.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
 #include <CGAL/T_splines/Spline/internal/Anderson_acceleration.h>
-#include <CGAL/T_splines/Spline/internal/Axis_parallel_box.h>
 #include <CGAL/T_splines/Spline/internal/Box_tree.h>
 #include <CGAL/T_splines/Spline/internal/Carried_spline.h>
 #include <CGAL/T_splines/Spline/internal/Fitted_surface.h>
@@ -17,6 +16,7 @@
 #include <CGAL/T_splines/Spline/internal/Surface_sampling.h>
 #include <CGAL/T_splines/Spline/internal/Surface_walk.h>
 #include <CGAL/T_splines/T_mesh/Carried_surface.h>
+#include <CGAL/T_splines/internal/Axis_parallel_box.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/converted_number.h>
 

@@ -6,10 +6,10 @@
 
 #include <CGAL/T_splines/Spline/T_spline_fit_report.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
-#include <CGAL/T_splines/Spline/internal/Axis_parallel_box.h>
 #include <CGAL/T_splines/Spline/internal/Fitted_surface.h>
 #include <CGAL/T_splines/Spline/internal/Fitting_system.h>
 #include <CGAL/T_splines/Spline/internal/Parameter_correction.h>
+#include <CGAL/T_splines/internal/Axis_parallel_box.h>
 #include <CGAL/T_splines/internal/Progress.h>
 
 #include <CGAL/squared_distance_3.h>

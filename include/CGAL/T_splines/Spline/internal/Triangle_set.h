@@ -5,7 +5,7 @@
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_TRIANGLE_SET_H
 
 #include <CGAL/T_splines/Spline/T_spline_deviation_report.h>
-#include <CGAL/T_splines/Spline/internal/Axis_parallel_box.h>
+#include <CGAL/T_splines/internal/Axis_parallel_box.h>
 #include <CGAL/T_splines/internal/converted_number.h>
 
 #include <CGAL/Simple_cartesian.h>

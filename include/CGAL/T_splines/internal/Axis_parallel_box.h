@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_T_SPLINES_SPLINE_INTERNAL_AXIS_PARALLEL_BOX_H
-#define CGAL_T_SPLINES_SPLINE_INTERNAL_AXIS_PARALLEL_BOX_H
+#ifndef CGAL_T_SPLINES_INTERNAL_AXIS_PARALLEL_BOX_H
+#define CGAL_T_SPLINES_INTERNAL_AXIS_PARALLEL_BOX_H
 
 #include <algorithm>
 #include <array>
@@ -59,4 +59,4 @@ struct Axis_parallel_box {
 } // namespace T_splines
 } // namespace CGAL
 
-#endif // CGAL_T_SPLINES_SPLINE_INTERNAL_AXIS_PARALLEL_BOX_H
+#endif // CGAL_T_SPLINES_INTERNAL_AXIS_PARALLEL_BOX_H
