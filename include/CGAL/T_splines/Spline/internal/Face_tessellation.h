@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Spline/internal/T_mesh_divisions.h>
 #include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -136,10 +137,11 @@ private:
 
   void add_edges()
   {
-    for (int e = 0; e < m_t_mesh.number_of_halfedges() / 2; ++e) {
+    for (int e = 0; e < m_t_mesh.number_of_edges(); ++e) {
       m_first.push_back(m_places.size());
-      const bool is_border = m_t_mesh.is_border(2 * e);
-      const int h = is_border ? 2 * e + 1 : 2 * e;
+      const int along = halfedge_of_edge(e);
+      const bool is_border = m_t_mesh.is_border(along);
+      const int h = is_border ? opposite(along) : along;
       for (int i = 1; i < number_of_parts(e); ++i) {
         const FT x = FT(is_border ? 1 - m_divisions.edges[e][i] : m_divisions.edges[e][i]);
         const auto p =
@@ -154,12 +156,12 @@ private:
   // The points of a halfedge but for its target. \param begin, length where it is along its side, from 0 to 1
   void append(const int h, const double begin, const double length)
   {
-    const int e = h / 2, n = number_of_parts(e);
+    const int e = edge_of(h), n = number_of_parts(e);
     m_outer.push_back({begin, m_vertex[m_t_mesh.source(h)]});
     for (int i = 1; i < n; ++i) {
-      const int j = h % 2 == 0 ? i : n - i;
+      const int j = is_along_edge(h) ? i : n - i;
       const double x = m_divisions.edges[e][j];
-      m_outer.push_back({begin + length * (h % 2 == 0 ? x : 1 - x), m_first[e] + j - 1});
+      m_outer.push_back({begin + length * (is_along_edge(h) ? x : 1 - x), m_first[e] + j - 1});
     }
   }
 

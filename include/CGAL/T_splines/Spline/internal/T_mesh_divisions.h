@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Spline/Bezier_patch_3.h>
 #include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 #include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/number_utils.h>
@@ -121,7 +122,7 @@ struct T_mesh_divisions {
   using Ends = std::vector<double>;
 
   std::vector<std::array<Ends, 2>> faces; ///< along u and along v, at least two parts
-  std::vector<Ends> edges;                ///< from the source of halfedge 2e
+  std::vector<Ends> edges;                ///< along `halfedge_of_edge(e)`
 };
 
 /// The least number of parts of a halfedge, if the sides of its face are divided into at least `n` parts.
@@ -146,9 +147,10 @@ T_mesh_divisions even_divisions(const T_mesh_arrays<FT>& t_mesh, const int n)
   };
   T_mesh_divisions result;
   result.faces.assign(t_mesh.number_of_faces(), {even(n), even(n)});
-  for (int h = 0; h < t_mesh.number_of_halfedges(); h += 2)
-    result.edges.push_back(
-        even((std::max)(parts_of_halfedge(t_mesh, h, n), parts_of_halfedge(t_mesh, t_mesh.opposite(h), n))));
+  for (int e = 0; e < t_mesh.number_of_edges(); ++e) {
+    const auto [h, o] = halfedges_of_edge(e);
+    result.edges.push_back(even((std::max)(parts_of_halfedge(t_mesh, h, n), parts_of_halfedge(t_mesh, o, n))));
+  }
   return result;
 }
 
@@ -208,8 +210,7 @@ std::vector<Division_rectangle> division_rectangles(const CompiledTSpline& surfa
   return result;
 }
 
-/// What the rectangles ask for in the outermost part of a face at a halfedge, in units of its edge, from the source of the
-/// even halfedge.
+/// What the rectangles ask for in the outermost part of a face at a halfedge, in units of its edge and along it.
 /// \param faces how they are divided
 template <typename FT>
 void add_density_of_halfedge(const T_mesh_arrays<FT>& t_mesh, const int h,
@@ -230,7 +231,7 @@ void add_density_of_halfedge(const T_mesh_arrays<FT>& t_mesh, const int h,
       continue;
     const double x = ((is_reversed ? 1 - r.end[along] : r.begin[along]) - begin) / knot;
     const double y = ((is_reversed ? 1 - r.begin[along] : r.end[along]) - begin) / knot;
-    density.add(h % 2 == 0 ? x : 1 - y, h % 2 == 0 ? y : 1 - x, r.density[along] * knot);
+    density.add(is_along_edge(h) ? x : 1 - y, is_along_edge(h) ? y : 1 - x, r.density[along] * knot);
   }
 }
 
@@ -254,12 +255,12 @@ T_mesh_divisions adaptive_divisions(const T_mesh_arrays<FT>& t_mesh, const std::
         density[k].add(rectangles[i].begin[k], rectangles[i].end[k], rectangles[i].density[k]);
     result.faces.push_back({density[0].division(least, most), density[1].division(least, most)});
   }
-  for (int h = 0; h < t_mesh.number_of_halfedges(); h += 2) {
+  for (int e = 0; e < t_mesh.number_of_edges(); ++e) {
     Division_density density;
     int least_of_edge = 1;
-    for (const int g : {h, t_mesh.opposite(h)}) {
-      add_density_of_halfedge(t_mesh, g, rectangles, first, result.faces, density);
-      least_of_edge = (std::max)(least_of_edge, parts_of_halfedge(t_mesh, g, least));
+    for (const int h : halfedges_of_edge(e)) {
+      add_density_of_halfedge(t_mesh, h, rectangles, first, result.faces, density);
+      least_of_edge = (std::max)(least_of_edge, parts_of_halfedge(t_mesh, h, least));
     }
     result.edges.push_back(density.division(least_of_edge, most));
   }

@@ -93,6 +93,7 @@ public:
 
   int number_of_vertices() const { return m_number_of_vertices; }
   int number_of_halfedges() const { return static_cast<int>(m_halfedges.size()); }
+  int number_of_edges() const { return number_of_halfedges() / 2; }
   int number_of_faces() const { return static_cast<int>(m_faces.size()); }
 
   static int opposite(const int h) { return internal::opposite(h); }
