@@ -5,6 +5,7 @@
 
 #include "Cross_field/test_meshes.h"
 #include "IO/Temporary_directory.h"
+#include "IO/Triangle_with_field.h"
 
 #include <CGAL/T_splines/Cross_field/compute_smooth_cross_field.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
@@ -33,19 +34,9 @@ using Cones = std::vector<std::pair<Mesh::Vertex_index, int>>;
 
 namespace {
 
-struct Triangle {
-  Mesh mesh;
-  Mesh::Property_map<Mesh::Face_index, test::Vector_3> field;
-  Mesh::Property_map<Mesh::Halfedge_index, int> matching;
-
-  Triangle()
-  {
-    const auto a = mesh.add_vertex(test::Point_3(0, 0, 0)), b = mesh.add_vertex(test::Point_3(1, 0, 0)),
-               c = mesh.add_vertex(test::Point_3(0, 1, 0));
-    mesh.add_face(a, b, c);
-    field = mesh.add_property_map<Mesh::Face_index, test::Vector_3>("f:field").first;
-    matching = mesh.add_property_map<Mesh::Halfedge_index, int>("h:matching", 7).first;
-  }
+struct Triangle : Triangle_with_field {
+  Mesh::Property_map<Mesh::Halfedge_index, int> matching =
+      mesh.add_property_map<Mesh::Halfedge_index, int>("h:matching", 7).first;
 
   ts::Field_file_report read(const std::string& filename)
   {

@@ -3,7 +3,7 @@
 
 #include <CGAL/T_splines/IO/read_crossfield.h>
 
-#include "Cross_field/test_meshes.h"
+#include "IO/Triangle_with_field.h"
 
 #include <catch2/catch.hpp>
 
@@ -15,34 +15,10 @@ namespace read_crossfield_test {
 
 namespace ts = CGAL::T_splines;
 using Status = ts::Field_file_status;
-using Mesh = test::Surface_mesh;
-
-namespace {
-
-struct Triangle {
-  Mesh mesh;
-  Mesh::Property_map<Mesh::Face_index, test::Vector_3> field;
-
-  Triangle()
-  {
-    const auto a = mesh.add_vertex(test::Point_3(0, 0, 0)), b = mesh.add_vertex(test::Point_3(1, 0, 0)),
-               c = mesh.add_vertex(test::Point_3(0, 1, 0));
-    mesh.add_face(a, b, c);
-    field = mesh.add_property_map<Mesh::Face_index, test::Vector_3>("f:field").first;
-  }
-
-  double angle() const
-  {
-    const test::Vector_3 v = field[Mesh::Face_index(0)];
-    return std::remainder(std::atan2(v.y(), v.x()), std::acos(0.));
-  }
-};
-
-} // namespace
 
 TEST_CASE("a crossfield has a flag and two axes per face, not ordered")
 {
-  Triangle triangle;
+  Triangle_with_field triangle;
   for (const char* text : {"2 1\n1 2 1 0 -1 2 0\n", "2 1\n0 -1 2 0 -2 -1 0", "2 1\r\n0 -1 2 0 2 1 0\r\n"}) {
     std::istringstream input(text);
     REQUIRE(ts::read_crossfield(input, triangle.mesh, triangle.field).success());
@@ -52,7 +28,7 @@ TEST_CASE("a crossfield has a flag and two axes per face, not ordered")
 
 TEST_CASE("bad crossfields are refused")
 {
-  Triangle triangle;
+  Triangle_with_field triangle;
   const auto status = [&triangle](const std::string& text) {
     std::istringstream input(text);
     return ts::read_crossfield(input, triangle.mesh, triangle.field).status;

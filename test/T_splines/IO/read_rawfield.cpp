@@ -4,6 +4,7 @@
 #include <CGAL/T_splines/IO/read_rawfield.h>
 
 #include "Cross_field/test_meshes.h"
+#include "IO/Triangle_with_field.h"
 
 #include <catch2/catch.hpp>
 
@@ -42,12 +43,6 @@ ts::Field_file_report read(const std::string& text, std::vector<test::Vector_3>*
   return report;
 }
 
-// The angle of a cross, modulo a right angle.
-double angle(const test::Vector_3& v)
-{
-  return std::remainder(std::atan2(v.y(), v.x()), std::acos(0.));
-}
-
 const std::string good = "1 0 0  0 1 0  -1 0 0  0 -1 0";
 
 } // namespace
@@ -59,7 +54,7 @@ TEST_CASE("the four vectors may come in either order and have any length")
               .success());
   for (const test::Vector_3& v : field) {
     CHECK(v.squared_length() == Approx(1));
-    CHECK(angle(v) == Approx(std::atan2(1., 2.)));
+    CHECK(angle_of_cross(v) == Approx(std::atan2(1., 2.)));
   }
 }
 
@@ -75,7 +70,7 @@ TEST_CASE("a sheared frame stands for the cross that is symmetric to it")
     }
     std::vector<test::Vector_3> field;
     REQUIRE(read(text.str(), &field).success());
-    CHECK(angle(field[0]) == Approx(0.3).margin(1e-5));
+    CHECK(angle_of_cross(field[0]) == Approx(0.3).margin(1e-5));
   }
 }
 
