@@ -131,7 +131,7 @@ public:
     }
     if (defect) {
       m_report.status = T_spline_status::NOT_SPLINE_COMPATIBLE;
-      m_report.compatibility = internal::spline_compatibility_report(defect, *m_indexing);
+      internal::set_defect(defect, *m_indexing, m_report.compatibility);
       return;
     }
     m_basis = basis;

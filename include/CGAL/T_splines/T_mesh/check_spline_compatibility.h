@@ -19,11 +19,11 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-template <typename TMesh>
-Spline_compatibility_report<TMesh> spline_compatibility_report(const Spline_defect& defect,
-                                                               const Mesh_indexing<TMesh>& indexing)
+// Writes what a defect says into a report; the numbers that it has stay.
+template <typename Graph>
+void set_defect(const Spline_defect& defect, const Mesh_indexing<Graph>& indexing,
+                Spline_compatibility_report<Graph>& report)
 {
-  Spline_compatibility_report<TMesh> report;
   report.status = defect.status;
   if (defect.vertex >= 0)
     report.vertex = indexing.vertex(defect.vertex);
@@ -31,7 +31,6 @@ Spline_compatibility_report<TMesh> spline_compatibility_report(const Spline_defe
     report.extraordinary_vertex = indexing.vertex(defect.extraordinary_vertex);
   if (defect.face >= 0)
     report.face = indexing.face(defect.face);
-  return report;
 }
 
 // The first defect but for those of supports.
@@ -77,9 +76,7 @@ spline_compatibility_report(const TMesh& t_mesh, const NamedParameters& np, Prog
   if (!defect)
     defect = structure.find_supports(
         [&](int, const Basis_support<FT>& support) { report.self_overlapping_supports += support.overlaps_itself(); });
-  const std::size_t self_overlapping_supports = report.self_overlapping_supports;
-  report = spline_compatibility_report(defect, indexing);
-  report.self_overlapping_supports = self_overlapping_supports;
+  set_defect(defect, indexing, report);
   return report;
 }
 

@@ -68,7 +68,7 @@ bool is_repairable(const TMesh& t_mesh, const NamedParameters& np, Progress& pro
     return false;
   const Mesh_indexing<typename TMesh::Graph> indexing(t_mesh.graph());
   const Spline_structure<double> structure(indexing, t_mesh, progress);
-  result = spline_compatibility_report(structure.check_vertices(), indexing);
+  set_defect(structure.check_vertices(), indexing, result);
   report.extraordinary_vertices = structure.extraordinary_vertices().size();
   report.vertices_before = report.vertices_after = indexing.number_of_vertices();
   report.faces_before = report.faces_after = indexing.number_of_faces();
