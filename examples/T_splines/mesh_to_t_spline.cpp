@@ -65,6 +65,7 @@ Figures::Input input_figures(Mesh& mesh, const std::string& path, const CGAL::T_
   mesh.remove_property_map(component);
   std::vector<Halfedge> borders;
   CGAL::Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(borders));
+  figures.borders = borders.size();
   const long characteristic =
       static_cast<long>(figures.vertices) - static_cast<long>(figures.edges) + static_cast<long>(figures.faces);
   figures.genus = static_cast<long>(figures.components) - (characteristic + static_cast<long>(borders.size())) / 2;

@@ -40,8 +40,9 @@ struct Figures {
     std::size_t merged_vertices = 0;
     double merged_distance = 0; ///< by the longest side of the bounding box
     CGAL::T_splines::Mesh_repairs repairs;
-    std::size_t vertices = 0, edges = 0, faces = 0, components = 0;
-    long genus = 0; ///< of all components together
+    std::size_t vertices = 0, edges = 0, faces = 0, components = 0,
+                borders = 0; ///< closed curves of the border
+    long genus = 0;          ///< of all components together
   };
   /// What was done to the cones of a computed field.
   struct Cone_reduction {
@@ -51,8 +52,9 @@ struct Figures {
   struct Signature {
     std::string source;
     std::optional<Cone_reduction> reduction;
-    std::vector<std::pair<std::size_t, int>> cones; ///< vertex of the input, quarter turns
-    std::vector<int> loops;
+    std::vector<std::pair<std::size_t, int>> cones;   ///< vertex of the input, quarter turns
+    std::vector<std::pair<std::size_t, int>> corners; ///< vertex of the input, quarter turns
+    std::vector<int> loops, arcs;
   };
   struct Transition {
     int quarter_turns;
@@ -97,7 +99,7 @@ inline void write_input_members(Json_writer& json, const Figures::Input& input)
   json.member("flat_triangles", input.repairs.flat_triangles);
   json.end_object();
   json.member("vertices", input.vertices).member("edges", input.edges).member("faces", input.faces);
-  json.member("components", input.components).member("genus", input.genus);
+  json.member("components", input.components).member("borders", input.borders).member("genus", input.genus);
 }
 
 inline void write_map_figures(Json_writer& json, const Map_figures& map)
@@ -131,7 +133,11 @@ inline void write_signature_figures(Json_writer& json, const Figures::Signature&
   for (const auto& [vertex, k] : signature.cones)
     json.begin_object().member("vertex", vertex).member("quarter_turns", k).end_object();
   json.end_array();
-  json.array_member("loops", signature.loops);
+  json.key("corners").begin_array();
+  for (const auto& [vertex, k] : signature.corners)
+    json.begin_object().member("vertex", vertex).member("quarter_turns", k).end_object();
+  json.end_array();
+  json.array_member("loops", signature.loops).array_member("arcs", signature.arcs);
   json.end_object();
 }
 

@@ -43,7 +43,7 @@ inline std::vector<Option_group> option_table()
       {"",
        {{"--uv MAP",
          "a seamless map instead of a mesh: an OBJ file with uv (vt) at every corner. No option of the next "
-         "four groups goes with it"}}},
+         "five groups goes with it"}}},
       {"Mesh",
        {{"--merge DISTANCE",
          "how far apart vertices at boundary edges may be that are one vertex, by the longest side of "
@@ -58,6 +58,13 @@ inline std::vector<Option_group> option_table()
         {"--cones FILE", "cones: .cones, one line \"vertex k\" per cone, vertices counted from 0; or .Th_hat, a total "
                          "angle per vertex"},
         {"--loops K1,K2,...", "turning numbers of the homology loops, in quarter turns; with --cones"}}},
+      {"Border of an open mesh",
+       {{"--corner-angle DEGREES", "the border has a corner where it turns by more than this within the surface (" +
+                                       text_of(T::default_corner_angle) + ")"},
+        {"--corners FILE",
+         "the corners: .bcones, one line \"vertex k\" per corner, k quarter turns of the angle there; "
+         "everywhere else the border is straight"},
+        {"--no-corners", "the border is straight everywhere"}}},
       {"For the computed field",
        {{"--align-curvature X", "aligns it to principal curvatures: 0 not at all, 100 well (0)"},
         {"--cone-energy X", "cones are merged as long as a merge raises the energy of the map's scale by at most X, a "

@@ -19,7 +19,7 @@ constexpr std::string_view help_beginning =
     R"(Usage: mesh_to_t_spline MESH [OPTION...]
        mesh_to_t_spline --uv MAP [OPTION...]
 
-Approximates a closed triangle mesh by a T-spline surface within a tolerance. A cross field guides a seamless similarity
+Approximates a triangle mesh by a T-spline surface within a tolerance. A cross field guides a seamless similarity
 map; from the map comes a T-mesh with halfedge knots; on this a T-spline surface is fitted to the mesh and refined where
 it is too far from it. Or the map is given.
 
@@ -49,10 +49,12 @@ enum class Precision_choice { DOUBLE, EXTENDED, QUAD };
 enum class Mesh_format { OBJ, PLY };
 
 struct Options {
-  std::string mesh, uv, field, cones, output_directory = ".";
+  std::string mesh, uv, field, cones, corners, output_directory = ".";
   std::optional<double> merge_distance; ///< none: the default of the library
   bool is_merged = true, is_repaired = false;
   std::optional<std::vector<int>> loops;
+  std::optional<double> corner_angle; ///< in degrees; none: the default of the library
+  bool has_corners = true;
   double curvature_alignment = 0;
   std::optional<double> cone_energy; ///< none: the default, which depends on `largest_number_of_cones`
   std::optional<int> largest_number_of_cones;

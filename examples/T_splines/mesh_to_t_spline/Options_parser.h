@@ -55,6 +55,11 @@ private:
       m_error = "--field and --cones exclude each other";
     else if (options.loops && options.cones.empty())
       m_error = "--loops goes with --cones: a field has turning numbers of its own";
+    else if (!options.corners.empty() && (options.corner_angle || !options.has_corners))
+      m_error = std::string("--corners and ") + (options.has_corners ? "--corner-angle" : "--no-corners") +
+                " exclude each other";
+    else if (options.corner_angle && !options.has_corners)
+      m_error = "--corner-angle and --no-corners exclude each other";
     else if (!m_computed_field_option.empty() && has_guidance)
       m_error = m_computed_field_option + " is for the computed field";
     else if (!options.are_cones_reduced && (options.cone_energy || options.largest_number_of_cones))
@@ -179,6 +184,12 @@ private:
       options.cones = value();
     else if (m_name == "--loops")
       options.loops = integers(value());
+    else if (m_name == "--corners")
+      options.corners = value();
+    else if (m_name == "--corner-angle")
+      options.corner_angle = positive_number(value(), 180);
+    else if (m_name == "--no-corners")
+      parse_flag(options.has_corners, false);
     else if (m_name == "--tolerance-residual")
       options.residual_tolerance = positive_number(value(), 1);
     else if (m_name == "--max-iterations")

@@ -13,13 +13,25 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
-inline void print_cones(std::ostream& out, const Figures::Signature& signature)
+/// How many vertices have each number of quarter turns, in parentheses.
+inline void print_counts(std::ostream& out, const std::vector<std::pair<std::size_t, int>>& quarter_turns)
 {
   std::map<int, std::size_t> counts;
-  for (const auto& cone : signature.cones)
-    ++counts[cone.second];
+  for (const auto& vertex_and_number : quarter_turns)
+    ++counts[vertex_and_number.second];
+  const char* separator = " (";
+  for (const auto& [k, count] : counts) {
+    out << separator << "k = " << k << ": " << count;
+    separator = ", ";
+  }
+  out << (counts.empty() ? "" : ")");
+}
+
+inline void print_signature(std::ostream& out, const Figures::Signature& signature)
+{
   out << "  signature   " << signature.source << ": ";
   const auto& reduction = signature.reduction;
   if (reduction && reduction->merges + reduction->splits > 0)
@@ -27,15 +39,19 @@ inline void print_cones(std::ostream& out, const Figures::Signature& signature)
         << (reduction->cones < reduction->cones_before ? " cones reduced to " : " cones split to ") << reduction->cones;
   else
     out << signature.cones.size() << (signature.cones.size() == 1 ? " cone" : " cones");
-  const char* separator = " (";
-  for (const auto& [k, count] : counts) {
-    out << separator << "k = " << k << ": " << count;
-    separator = ", ";
+  print_counts(out, signature.cones);
+  if (!signature.corners.empty()) {
+    out << ", " << signature.corners.size() << (signature.corners.size() == 1 ? " corner" : " corners");
+    print_counts(out, signature.corners);
   }
-  out << (counts.empty() ? "" : ")");
   if (!signature.loops.empty()) {
     out << ", loops";
     for (const int k : signature.loops)
+      out << " " << k;
+  }
+  if (!signature.arcs.empty()) {
+    out << ", arcs";
+    for (const int k : signature.arcs)
       out << " " << k;
   }
   out << "\n";
@@ -192,8 +208,10 @@ inline void print_summary(std::ostream& out, const Figures& figures)
       << " faces, genus " << figures.input.genus;
   if (figures.input.components > 1)
     out << ", " << figures.input.components << " components";
+  if (figures.input.borders > 0)
+    out << ", a border of " << figures.input.borders << (figures.input.borders == 1 ? " curve" : " curves");
   out << "\n";
-  print_cones(out, figures.signature);
+  print_signature(out, figures.signature);
   if (figures.map) {
     const Map_figures& map = *figures.map;
     out << "  map         " << map.status << ": residual " << std::setprecision(3) << map.residual << " after "

@@ -19,6 +19,31 @@ namespace {
 
 using Signature_report = CGAL::T_splines::Holonomy_signature_report<Mesh>;
 
+/// Where the border has corners, as the options say.
+struct Border_corners {
+  std::optional<std::vector<Approximation::Signature::Corner>> given;
+  double angle = CGAL::T_splines::default_corner_angle;
+
+  /// Adds them to named parameters.
+  template <typename NamedParameters>
+  auto added_to(const NamedParameters& np) const
+  {
+    return CGAL::T_splines::parameters::corners(given, CGAL::T_splines::parameters::corner_angle(angle, np));
+  }
+};
+
+/// Reads the file of corners, if there is one.
+Failure find_corners(const Options& options, const Mesh& mesh, Border_corners& corners)
+{
+  corners.angle = options.corner_angle.value_or(corners.angle);
+  if (!options.corners.empty() || !options.has_corners)
+    corners.given.emplace();
+  if (options.corners.empty())
+    return {};
+  const auto report = CGAL::T_splines::read_cones(options.corners, mesh, *corners.given);
+  return report.success() ? Failure() : Failure{options.corners + ": " + describe(report), true};
+}
+
 /// Why the last stage of guidance failed.
 Failure failure_of(const std::string& source, const Approximation& approximation, const bool is_file)
 {
@@ -56,13 +81,14 @@ Failure reduce_cones(const Options& options, Chosen_spd_solver_traits& solver, P
 }
 
 /// Computes the smoothest field, takes its signature, and reduces its cones.
-Failure signature_of_computed_field(const Options& options, Chosen_spd_solver_traits& solver, Progress& progress,
-                                    Approximation& approximation, Figures::Signature& figures)
+Failure signature_of_computed_field(const Options& options, const Border_corners& corners,
+                                    Chosen_spd_solver_traits& solver, Progress& progress, Approximation& approximation,
+                                    Figures::Signature& figures)
 {
   const auto np =
       CGAL::T_splines::parameters::curvature_alignment(options.curvature_alignment).visitor(Progress_handle(progress));
-  if (!approximation.compute_cross_field(np))
-    return failure_of(options.mesh + ": cross field", approximation, false);
+  if (!approximation.compute_cross_field(corners.added_to(np)))
+    return failure_of(options.mesh + ": cross field", approximation, !options.corners.empty());
   return options.are_cones_reduced ? reduce_cones(options, solver, progress, approximation, figures) : Failure();
 }
 
@@ -72,8 +98,8 @@ bool ends_with(const std::string& text, const std::string& end)
 }
 
 /// Reads a field file and takes the signature.
-Failure signature_of_field_file(const std::string& filename, Mesh& mesh, Progress& progress,
-                                Approximation& approximation)
+Failure signature_of_field_file(const std::string& filename, const Border_corners& corners, Mesh& mesh,
+                                Progress& progress, Approximation& approximation)
 {
   namespace T = CGAL::T_splines;
   const auto field = mesh.add_property_map<Face, Kernel::Vector_3>("f:cross").first;
@@ -82,11 +108,12 @@ Failure signature_of_field_file(const std::string& filename, Mesh& mesh, Progres
   const auto report = T::read_cross_field(filename, mesh, field, np);
   if (!report.success())
     return {filename + ": " + describe(report), true};
-  return approximation.use_cross_field(field, np) ? Failure() : failure_of(filename, approximation, true);
+  return approximation.use_cross_field(field, corners.added_to(np)) ? Failure()
+                                                                    : failure_of(filename, approximation, true);
 }
 
 /// Reads a cone file, by the parser of its name, and completes the signature.
-Failure signature_of_cone_file(const Options& options, Approximation& approximation)
+Failure signature_of_cone_file(const Options& options, const Border_corners& corners, Approximation& approximation)
 {
   namespace T = CGAL::T_splines;
   const std::string& filename = options.cones;
@@ -100,9 +127,10 @@ Failure signature_of_cone_file(const Options& options, Approximation& approximat
     return {filename + ": the file format is not known; cones are read from .cones and .Th_hat", true};
   if (!file_report.success())
     return {filename + ": " + describe(file_report), true};
-  const bool has_signature = options.loops
-                                 ? approximation.use_cones(cones, T::parameters::loop_turning_numbers(*options.loops))
-                                 : approximation.use_cones(cones);
+  const auto np = corners.added_to(CGAL::parameters::default_values());
+  const bool has_signature =
+      options.loops ? approximation.use_cones(cones, T::parameters::loop_turning_numbers(*options.loops, np))
+                    : approximation.use_cones(cones, np);
   if (has_signature)
     return {};
   const bool is_about_loops =
@@ -115,19 +143,22 @@ Failure signature_of_cone_file(const Options& options, Approximation& approximat
 Failure find_signature(const Options& options, Mesh& mesh, Chosen_spd_solver_traits& solver, Progress& progress,
                        Approximation& approximation, Figures::Signature& figures)
 {
-  Failure result;
+  Border_corners corners;
+  Failure result = find_corners(options, mesh, corners);
+  if (result)
+    return result;
   if (!options.cones.empty())
     progress.begin_stage("signature");
   if (!options.field.empty()) {
-    result = signature_of_field_file(options.field, mesh, progress, approximation);
+    result = signature_of_field_file(options.field, corners, mesh, progress, approximation);
     figures.source = "cross field " + std::filesystem::path(options.field).filename().string();
   }
   else if (!options.cones.empty()) {
-    result = signature_of_cone_file(options, approximation);
+    result = signature_of_cone_file(options, corners, approximation);
     figures.source = "cones " + std::filesystem::path(options.cones).filename().string();
   }
   else {
-    result = signature_of_computed_field(options, solver, progress, approximation, figures);
+    result = signature_of_computed_field(options, corners, solver, progress, approximation, figures);
     figures.source = "computed cross field";
   }
   progress.end_stage();
@@ -135,7 +166,11 @@ Failure find_signature(const Options& options, Mesh& mesh, Chosen_spd_solver_tra
     return result;
   for (const auto& cone : approximation.signature().cones())
     figures.cones.emplace_back(static_cast<std::size_t>(cone.first), cone.second);
+  for (const auto& corner : approximation.signature().corners())
+    figures.corners.emplace_back(static_cast<std::size_t>(corner.first), corner.second);
   for (const auto& loop : approximation.signature().loops())
     figures.loops.push_back(loop.quarter_turns);
+  for (const auto& arc : approximation.signature().arcs())
+    figures.arcs.push_back(arc.quarter_turns);
   return result;
 }

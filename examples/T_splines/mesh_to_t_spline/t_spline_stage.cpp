@@ -123,7 +123,8 @@ Surface_drawing drawing_of(const Surface& surface, const T_spline& spline, const
   draw_edges(surface, spline, resolution, drawing);
   for (const Graph::Vertex_index v : graph.vertices())
     if (CGAL::T_splines::is_extraordinary(v, spline)) {
-      const Graph::Halfedge_index h = graph.halfedge(v);
+      const Graph::Halfedge_index any = graph.halfedge(v),
+                                  h = graph.is_border(any) ? graph.opposite(graph.next(any)) : any;
       const Graph::Face_index f = graph.face(h);
       const auto p = CGAL::T_splines::T_mesh_coordinates(spline).target_point(h);
       drawing.extraordinary_points.push_back(

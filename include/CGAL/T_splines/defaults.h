@@ -16,6 +16,12 @@ namespace T_splines {
 constexpr double default_merge_distance = 1e-6;
 
 /// \ingroup PkgTSplinesCrossField
+/// By how many degrees the border of a mesh turns, within the surface, where it has a corner.
+///
+/// Half of a quarter turn is the least that rounds to one; an octagon, which turns by as much, is a round hole.
+constexpr double default_corner_angle = 50;
+
+/// \ingroup PkgTSplinesCrossField
 /// How much a merge of cones may raise the energy of the map's scale, on a component of the given genus.
 ///
 /// Each cone costs about fifty control points of a surface within 0.5 %, and each merge makes the map's scale vary more.

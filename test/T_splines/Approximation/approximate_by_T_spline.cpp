@@ -167,13 +167,13 @@ TEST_CASE("what cannot be approximated is refused, with the element, and the spl
     mesh.clear();
     CHECK_FALSE(check(Status::INVALID_MESH, T::approximate_by_T_spline(mesh, spline)).empty());
   }
-  SECTION("a hole")
+  SECTION("a hole whose corners turn inwards")
   {
     CGAL::Euler::remove_face(mesh.halfedge(Mesh::Face_index(7)), mesh);
     const auto report = T::approximate_by_T_spline(mesh, spline);
-    check(Status::INVALID_MESH, report);
-    CHECK(report.mesh.status == T::Triangle_mesh_status::BORDER);
-    CHECK(mesh.is_border(report.mesh.halfedge));
+    CHECK(check(Status::FIT_FAILED, report).find("the border turns inwards") != std::string::npos);
+    CHECK(report.fit.status == T::Adaptive_fit_status::NOT_SPLINE_COMPATIBLE);
+    CHECK(report.fit.incompatibility == T::Spline_compatibility_status::UNSUPPORTED_BORDER_VERTEX);
   }
   SECTION("no number")
   {

@@ -29,9 +29,10 @@ TEST_CASE("a refusal of a signature names the element, counted from 0, and the n
   const auto none = CGAL::parameters::default_values();
   const Mesh::Vertex_index v(7);
   CHECK(refusal({{v, 3}}, none).find(": the sum over component 0 is 1 instead of 0 (off by 1)") != std::string::npos);
-  CHECK(refusal({{v, 3}, {v, 5}}, none) == "a vertex is given as a cone twice: vertex 7, counted from 0");
+  CHECK(refusal({{v, 3}, {v, 5}}, none) ==
+        "a vertex is given as a cone, or as a corner, twice: vertex 7, counted from 0");
   CHECK(refusal({{v, -2}}, none).find(": vertex 7, counted from 0, has k = -2") != std::string::npos);
-  CHECK(refusal({{Mesh::null_vertex(), 3}}, none) == "a cone has no vertex: cone 0, counted from 0");
+  CHECK(refusal({{Mesh::null_vertex(), 3}}, none) == "a cone or corner has no vertex: cone 0, counted from 0");
   CHECK(refusal({}, ts::parameters::loop_turning_numbers(std::vector<int>{1, 2, 3})) ==
         "there are not as many turning numbers as loops: the number of turning numbers is 3 instead of 2");
 }

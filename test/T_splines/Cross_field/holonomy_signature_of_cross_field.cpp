@@ -149,10 +149,6 @@ TEST_CASE("fields and meshes that have no signature are refused by name")
     CHECK(report.status == Status::INVALID_FIELD);
     CHECK(report.face == f);
   }
-  Mesh punctured = test::to_mesh<Mesh>(test::punctured_torus());
-  const auto report = ts::holonomy_signature_of_cross_field(punctured, test::field_around_axis(punctured), signature);
-  CHECK(report.status == Status::INVALID_MESH);
-  CHECK(report.mesh.status == ts::Triangle_mesh_status::BORDER);
 }
 
 TEST_CASE("a field on triangles so small that squares of their areas vanish need not close up, which is said")

@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Cross_field/reduce_cones.h>
 #include <CGAL/T_splines/Similarity_map/compute_similarity_metric.h>
 
+#include "open_meshes.h"
 #include "test_meshes.h"
 
 #include <CGAL/IO/OFF.h>
@@ -37,7 +38,7 @@ namespace ts = CGAL::T_splines;
 using Status = ts::Cone_reduction_status;
 using Mesh = test::Surface_mesh;
 using Signature = ts::Holonomy_signature<Mesh>;
-using Closed_mesh = ts::internal::Closed_mesh<Mesh>;
+using Domain = ts::internal::Signature_domain<Mesh>;
 
 namespace {
 
@@ -95,9 +96,9 @@ Signature random_signature(const Mesh& mesh, const int number_of_pairs, const un
   std::vector<Mesh::Vertex_index> shuffled(vertices(mesh).begin(), vertices(mesh).end());
   std::mt19937 random(seed);
   std::shuffle(shuffled.begin(), shuffled.end(), random);
-  const Closed_mesh closed_mesh(mesh, CGAL::parameters::default_values());
+  const Domain domain(mesh, CGAL::parameters::default_values());
   std::vector<std::pair<Mesh::Vertex_index, int>> cones;
-  const int sum = 4 * closed_mesh.m_components.euler_characteristic[0];
+  const int sum = 4 * domain.m_components.euler_characteristic[0];
   for (int i = 0; i < std::abs(sum) + 2 * number_of_pairs; ++i)
     cones.emplace_back(shuffled[i], i < std::abs(sum) ? (sum > 0 ? 3 : 5) : 3 + i % 2 * 2);
   Signature signature;
@@ -105,53 +106,64 @@ Signature random_signature(const Mesh& mesh, const int number_of_pairs, const un
   return signature;
 }
 
-// The strip of triangles of each loop, and what is missing to its turning.
-struct Loops {
+// The strip of triangles of each loop and arc, and what is missing to its turning.
+struct Strips {
   std::vector<std::vector<int>> strips;
   std::vector<double> residual;
 
-  Loops(const Closed_mesh& mesh, const Signature& signature)
-    : strips(ts::internal::strips_of(mesh.m_indexing, signature))
+  Strips(const Domain& mesh, const Signature& signature)
   {
-    for (std::size_t l = 0; l < strips.size(); ++l)
-      residual.push_back(signature.loops()[l].quarter_turns * ts::internal::quarter_turn -
-                         ts::internal::strip_turning(mesh.m_connectivity, strips[l], mesh.m_geometry.m_corner_angle));
+    const auto add = [&](const auto& loops_or_arcs) {
+      for (const auto& strip : loops_or_arcs) {
+        strips.emplace_back();
+        for (const auto h : strip.halfedges)
+          strips.back().push_back(mesh.m_indexing.halfedge_index(h));
+        residual.push_back(
+            strip.quarter_turns * ts::internal::quarter_turn -
+            ts::internal::strip_turning(mesh.m_connectivity, strips.back(), mesh.m_geometry.m_corner_angle));
+      }
+    };
+    add(signature.loops());
+    add(signature.arcs());
   }
 };
 
-double cotangent_weight(const Closed_mesh& mesh, const int e)
+double cotangent_weight(const Domain& mesh, const int e)
 {
   double weight = 0;
   for (const int h : {2 * e, 2 * e + 1})
-    weight += 0.5 / std::tan(mesh.m_geometry.m_corner_angle[mesh.m_connectivity.next(h)]);
+    if (mesh.m_connectivity.face(h) != ts::internal::Triangulation_connectivity::null)
+      weight += 0.5 / std::tan(mesh.m_geometry.m_corner_angle[mesh.m_connectivity.next(h)]);
   return weight;
 }
 
 // The energy of a connected Delaunay mesh by one system for all of xi = du + sum c_l eta_l: the flow of xi out of each
-// vertex, and through each loop, is what the signature demands. Each cone is a point.
+// vertex, and through each loop and arc, is what the signature demands. Each cone is a point.
 double energy_by_definition(const Mesh& mesh, const Signature& signature)
 {
-  const Closed_mesh closed_mesh(mesh, CGAL::parameters::default_values());
-  const auto& connectivity = closed_mesh.m_connectivity;
-  const Loops loops(closed_mesh, signature);
-  const int n = connectivity.number_of_vertices(), g = static_cast<int>(loops.strips.size());
+  const Domain domain(mesh, CGAL::parameters::default_values());
+  const auto& connectivity = domain.m_connectivity;
+  const Strips strips(domain, signature);
+  const int n = connectivity.number_of_vertices(), g = static_cast<int>(strips.strips.size());
   Eigen::MatrixXd forms = Eigen::MatrixXd::Zero(connectivity.number_of_edges(), n + g); // of unknowns, per edge
   Eigen::VectorXd weights(connectivity.number_of_edges()), demanded(n + g);
   for (int e = 0; e < connectivity.number_of_edges(); ++e) {
-    weights(e) = cotangent_weight(closed_mesh, e);
+    weights(e) = cotangent_weight(domain, e);
     REQUIRE(weights(e) > -1e-10);
     forms(e, connectivity.target(2 * e)) = 1;
     forms(e, connectivity.source(2 * e)) = -1;
   }
   for (int l = 0; l < g; ++l)
-    for (const int h : loops.strips[l])
+    for (const int h : strips.strips[l])
       forms(h / 2, n + l) += h % 2 == 0 ? 1 : -1;
-  const std::vector<double> defects = ts::internal::angle_defects(connectivity, closed_mesh.m_geometry);
+  const std::vector<double> defects = ts::internal::angle_defects(connectivity, domain.m_geometry);
   for (int v = 0; v < n; ++v)
-    demanded(v) =
-        (4 - signature.quarter_turns(closed_mesh.m_indexing.vertex(v))) * ts::internal::quarter_turn - defects[v];
+    demanded(v) = (4 - signature.quarter_turns(domain.m_indexing.vertex(v)) + 2 -
+                   signature.corner_quarter_turns(domain.m_indexing.vertex(v))) *
+                      ts::internal::quarter_turn -
+                  defects[v];
   for (int l = 0; l < g; ++l)
-    demanded(n + l) = loops.residual[l];
+    demanded(n + l) = strips.residual[l];
   const Eigen::MatrixXd system = forms.transpose() * weights.asDiagonal() * forms;
   const Eigen::VectorXd solution = system.completeOrthogonalDecomposition().solve(demanded);
   CHECK((system * solution - demanded).norm() < 1e-9);
@@ -178,30 +190,35 @@ struct Failing_solver {
 
 TEST_CASE("quarter turns moved along paths are those of the field that jumps across them")
 {
-  const Mesh mesh = test::to_mesh<Mesh>(test::plate(2, 3));
-  const Closed_mesh closed_mesh(mesh, CGAL::parameters::default_values());
-  const auto& connectivity = closed_mesh.m_connectivity;
+  const auto has_border = GENERATE(0, 1);
+  const Mesh mesh = has_border == 1 ? open_meshes::perforated_plate(2, 3) : test::to_mesh<Mesh>(test::plate(2, 3));
+  const Domain domain(mesh, CGAL::parameters::default_values());
+  const auto& connectivity = domain.m_connectivity;
   std::vector<double> angle(connectivity.number_of_faces());
   std::mt19937 random(1);
   for (double& a : angle)
     a = random() / 4294967296.;
   std::vector<double> rotation = ts::internal::field_rotations(
-      connectivity, ts::internal::angles_to_halfedges(connectivity, closed_mesh.m_geometry, angle));
+      connectivity, ts::internal::angles_to_halfedges(connectivity, domain.m_geometry, angle));
   ts::internal::Progress nobody;
-  const std::vector<std::vector<int>> strips = closed_mesh.short_loops(nobody);
+  std::vector<std::vector<int>> strips = domain.short_loops(nobody);
+  for (const std::vector<int>& arc : domain.short_arcs(nobody))
+    strips.push_back(arc);
+  REQUIRE(strips.size() == 4);
+  const std::vector<double> border_cross(connectivity.number_of_edges(), 0.);
   const auto turns = [&] {
     std::vector<double> result =
-        ts::internal::vertex_quarter_turns(connectivity, closed_mesh.m_geometry.m_corner_angle, rotation);
+        ts::internal::vertex_quarter_turns(connectivity, domain.m_geometry.m_corner_angle, rotation, border_cross);
     for (const auto& strip : strips)
-      result.push_back(
-          ts::internal::strip_quarter_turns(connectivity, strip, closed_mesh.m_geometry.m_corner_angle, rotation));
+      result.push_back(ts::internal::strip_quarter_turns(connectivity, strip, domain.m_geometry.m_corner_angle,
+                                                         rotation, border_cross));
     return result;
   };
   std::vector<int> ends;
   for (int i = 0; i < 12; ++i)
     ends.push_back(static_cast<int>((i * 37u) % static_cast<unsigned int>(connectivity.number_of_vertices())));
-  ts::internal::Cone_paths paths(connectivity, closed_mesh.m_geometry.m_edge_length, ends, strips, nobody);
-  ts::internal::Edge_distances distances(connectivity, closed_mesh.m_geometry.m_edge_length);
+  ts::internal::Cone_paths paths(connectivity, domain.m_geometry.m_edge_length, ends, strips, nobody);
+  ts::internal::Edge_distances distances(connectivity, domain.m_geometry.m_edge_length);
   int number_of_crossings = 0;
   for (int a = 0; a < 12; ++a) {
     for (int b = 0; b < 12; ++b) {
@@ -304,13 +321,13 @@ TEST_CASE("the first merge is the cheapest one that can be made")
   const Signature before = signature;
   const auto report = ts::reduce_cones(mesh, signature, ts::parameters::maximum_number_of_cones(5));
   REQUIRE(report.number_of_merges == 1);
-  const Closed_mesh closed_mesh(mesh, CGAL::parameters::default_values());
+  const Domain domain(mesh, CGAL::parameters::default_values());
   std::vector<int> cones;
   for (const auto& cone : before.cones())
-    cones.push_back(closed_mesh.m_indexing.vertex_index(cone.first));
+    cones.push_back(domain.m_indexing.vertex_index(cone.first));
   ts::internal::Progress nobody;
-  ts::internal::Cone_paths paths(closed_mesh.m_connectivity, closed_mesh.m_geometry.m_edge_length, cones,
-                                 ts::internal::strips_of(closed_mesh.m_indexing, before), nobody);
+  ts::internal::Cone_paths paths(domain.m_connectivity, domain.m_geometry.m_edge_length, cones,
+                                 ts::internal::strips_of(domain.m_indexing, before), nobody);
   for (int a = 0; a < 6; ++a) {
     for (int b = 0; b < 6; ++b) {
       const int k_a = before.cones()[a].second, k_b = before.cones()[b].second, q = k_a - 4;
@@ -358,6 +375,34 @@ TEST_CASE("a pair of cones that does not belong there goes first")
       CHECK(report.number_of_merges == 1);
       CHECK(are_equal(*mesh, signature, disturbed));
     }
+  }
+}
+
+TEST_CASE("cones merge on surfaces with border, corners stay, and the energies are those by definition", "[border]")
+{
+  open_meshes::Mesh plate = open_meshes::perforated_plate(2, 3), ring = open_meshes::annulus(4, 24, 8);
+  for (const Mesh* mesh : {&plate, &ring}) {
+    std::vector<std::pair<Mesh::Vertex_index, int>> cones;
+    for (const auto v : vertices(*mesh))
+      if (!is_border(v, *mesh) && v.idx() % 17 == 5)
+        cones.emplace_back(v, cones.size() % 2 == 0 ? 3 : 5);
+    if (cones.size() % 2 == 1)
+      cones.pop_back();
+    REQUIRE(cones.size() >= 4);
+    Signature signature;
+    const auto made = ts::holonomy_signature_of_cones(*mesh, cones, signature);
+    INFO(describe(made, *mesh));
+    REQUIRE(made);
+    for (std::size_t a = 0; a < signature.arcs().size(); ++a)
+      signature.set_arc_quarter_turns(a, signature.arcs()[a].quarter_turns + (a % 2 == 0 ? 1 : -1));
+    const Signature before = signature;
+    const auto report = ts::reduce_cones(*mesh, signature, ts::parameters::maximum_energy_change(1e9));
+    REQUIRE(report.success());
+    CHECK(report.energy_before == Approx(energy_by_definition(*mesh, before)).epsilon(1e-9));
+    CHECK(report.energy == Approx(energy_by_definition(*mesh, signature)).epsilon(1e-9).margin(1e-9));
+    CHECK(signature.cones().empty());
+    CHECK(signature.corners() == before.corners());
+    CHECK(ts::check_holonomy_signature(*mesh, signature));
   }
 }
 

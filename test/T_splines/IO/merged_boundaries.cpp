@@ -123,19 +123,41 @@ TEST_CASE("the distance that the report of an open mesh names closes it, and a s
   CHECK(describe(not_merged.report).find("whose ends coincide") != std::string::npos);
 }
 
-TEST_CASE("a hole is a boundary, whatever is merged elsewhere")
+TEST_CASE("a hole is a boundary, whatever is merged elsewhere, and said")
 {
   Soup soup = box().split();
   soup.faces.pop_back();
   soup.points.resize(20);
   for (const std::string& extension : extensions) {
-    const Read_soup read(soup, extension);
-    CHECK(read.report.status == Status::BOUNDARY);
-    CHECK(read.report.number_of_boundary_edges == 4);
-    CHECK(read.report.number_of_boundary_loops == 1);
-    CHECK_FALSE(read.report.closing_distance.has_value());
-    CHECK_FALSE(read.report.is_repairable);
+    const Read_soup open(soup, extension);
+    REQUIRE(open.report.success());
+    CHECK(open.report.number_of_boundary_edges == 4);
+    CHECK(open.report.number_of_boundary_loops == 1);
+    CHECK(note(open.report).find("the surface is open, with 4 boundary edges in 1 loop") != std::string::npos);
+    const Read_soup refused(soup, extension, P::border_is_allowed(false));
+    CHECK(refused.report.status == Status::BOUNDARY);
+    CHECK(refused.report.number_of_boundary_edges == 4);
+    CHECK(refused.report.number_of_boundary_loops == 1);
+    CHECK_FALSE(refused.report.closing_distance.has_value());
+    CHECK_FALSE(refused.report.is_repairable);
   }
+}
+
+TEST_CASE("a crack is no border, unless it is meant")
+{
+  Soup soup = box().split();
+  for (std::size_t i = 0; i < 4; ++i)
+    soup.points[i][2] -= 3e-5;
+  CHECK(Read_soup(soup).report.status == Status::BOUNDARY);
+  CHECK(Read_soup(soup, ".off", P::border_is_allowed(false)).report.status == Status::BOUNDARY);
+  const Read_soup meant(soup, ".off", P::border_is_allowed(true));
+  REQUIRE(meant.report.success());
+  CHECK(meant.report.number_of_boundary_loops == 2);
+  soup.faces.pop_back(); // with a hole as well, merging would not close it
+  soup.points.resize(20);
+  const Read_soup with_hole(soup);
+  REQUIRE(with_hole.report.success());
+  CHECK(with_hole.report.number_of_boundary_loops >= 2);
 }
 
 TEST_CASE("bodies that touch remain bodies of their own")

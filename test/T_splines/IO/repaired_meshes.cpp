@@ -174,7 +174,7 @@ TEST_CASE("what a repair does not mend is refused")
 {
   Soup open = box();
   open.faces.pop_back();
-  CHECK(Read_soup(open, ".off", repairing).report.status == Status::BOUNDARY);
+  CHECK(Read_soup(open, ".off", T::parameters::border_is_allowed(false, repairing)).report.status == Status::BOUNDARY);
   Soup eight = box();
   eight.faces[0] = {0, 2, 3, 1, 2, 6};
   CHECK(Read_soup(eight, ".off", repairing).report.status == Status::REPEATED_VERTEX);

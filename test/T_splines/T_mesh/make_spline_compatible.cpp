@@ -319,6 +319,44 @@ TEST_CASE("rings are not much smaller than the edges allow", "[make_spline_compa
   }
 }
 
+TEST_CASE("rings near a border are made once, and supports that it makes longer are shortened",
+          "[make_spline_compatible]")
+{
+  // A triangle with one cone of three quarter turns, close to one of its sides, and three corners.
+  using Exact_mesh = test_t_meshes::T_mesh<Surface_mesh, Rational>;
+  Exact_mesh triangle(
+      {{{8, 73, true}, {7, 44, true}, {4, 73, true}, {17, 44, true}},
+       {{12, 1584, true}, {13, 704, false}, {11, 174, true}, {3, 1584, true}, {2, 878, true}},
+       {{0, 239, true}, {9, 704, true}, {14, 44, false}, {16, 73, false}, {18, 122, true}, {13, 704, true}},
+       {{18, 122, true}, {19, 130, false}, {17, 44, true}, {10, 122, true}, {11, 174, true}},
+       {{14, 44, true}, {6, 130, true}, {7, 44, true}, {1, 130, true}},
+       {{1, 130, true}, {8, 73, true}, {19, 130, true}, {16, 73, true}}});
+  REQUIRE(check_admissibility(triangle));
+  const auto refinement = make_spline_compatible(triangle);
+  REQUIRE(refinement);
+  CHECK(refinement.extraordinary_vertices == 1);
+  CHECK(refinement.splits_for_rings <= 36);
+  CHECK(refinement.splits_of_reaching_supports > 0);
+  CHECK(check_spline_compatibility(triangle));
+
+  using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
+  const int sectors = GENERATE(3, 5);
+  for (const double x : {1., 0.3, 7.}) {
+    Faces<double> faces = test_t_meshes::star<double>(sectors, 1);
+    for (std::size_t s = 0; s < faces.size(); ++s)
+      test_t_meshes::rescale(faces[s], 1. / (s + 1.));
+    for (const int side : {0, 2}) // spoke 1 is longer or shorter
+      faces[1][side].knot = x;
+    for (const int side : {1, 3})
+      faces[0][side].knot = x;
+    Mesh t(faces);
+    const auto report = make_spline_compatible(t);
+    REQUIRE(report);
+    CHECK(report.splits_for_rings <= static_cast<std::size_t>(12 * sectors)); // nine cells and the rest of each sector
+    CHECK(check_spline_compatibility(t));
+  }
+}
+
 TEST_CASE("cones of one or two quarter turns get rings", "[make_spline_compatible]")
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;

@@ -124,7 +124,7 @@ public:
   using Cross_field =
       typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Kernel::Vector_3>>::const_type;
 
-  /// \param mesh a closed triangle mesh, of one or more components; it must outlive this object, unchanged
+  /// \param mesh a triangle mesh, of one or more components; it must outlive this object, unchanged
   explicit T_spline_approximation(const TriangleMesh& mesh)
     : T_spline_approximation(mesh, get(CGAL::vertex_point, mesh))
   {
@@ -156,8 +156,7 @@ public:
     m_report.cross_field = compute_smooth_cross_field(m_mesh, m_cross_field,
                                                       parameters::halfedge_matching_map(matchings, with_points(np)));
     return ended(m_report.cross_field, m_report.cross_field.mesh, Status::INVALID_MESH) &&
-           use_cross_field(m_cross_field,
-                           parameters::halfedge_matching_map(matchings, internal::visitor_and_solver(np)));
+           use_cross_field(m_cross_field, parameters::halfedge_matching_map(matchings, np));
   }
 
   /// takes the signature of a given field: `holonomy_signature_of_cross_field()`.

@@ -55,13 +55,13 @@ bool guide(Approximation& approximation, const NamedParameters& np)
 } // namespace internal
 
 /// \ingroup PkgTSplinesApproximation
-/// approximates a closed triangle mesh by a T-spline surface within a tolerance, both ways, without folds and without
+/// approximates a triangle mesh by a T-spline surface within a tolerance, both ways, without folds and without
 /// self-intersections where the mesh has none ([CZ17]; [He06]). `T_spline_approximation` has the stages one by one.
 ///
 /// The result is measured: what the report says of it is what `measure_T_spline_deviation()` and
 /// `check_T_spline_self_intersections()` find.
 /// \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`
-/// \param mesh a closed triangle mesh, of one or more components, as `check_triangle_mesh()` demands
+/// \param mesh a triangle mesh, of one or more components, as `check_triangle_mesh()` demands
 /// \param spline receives the surface upon success; it stays what it was otherwise
 /// \param np an optional sequence of named parameters among these:
 ///
@@ -140,7 +140,7 @@ approximate_by_T_spline(const TriangleMesh& mesh, T_spline<>& spline,
 }
 
 /// \ingroup PkgTSplinesApproximation
-/// computes an exactly seamless map of a refinement of a closed triangle mesh, guided by a smooth cross field with few
+/// computes an exactly seamless map of a refinement of a triangle mesh, guided by a smooth cross field with few
 /// cones ([CZ17] sections 4 to 6): the first half of `approximate_by_T_spline()`.
 /// \param mesh as for `approximate_by_T_spline()`
 /// \param mapped becomes the refined mesh with its map upon success; it stays what it was otherwise

@@ -30,7 +30,7 @@ inline const char* message(const Cone_reduction_status status)
   case Cone_reduction_status::REDUCED: return "the cones were reduced";
   case Cone_reduction_status::LIMIT_UNREACHABLE:
     return "the surface cannot do with so few cones; there are as few as possible";
-  case Cone_reduction_status::INVALID_MESH: return "the mesh is not a closed triangle mesh with positive areas";
+  case Cone_reduction_status::INVALID_MESH: return "the mesh is not a triangle mesh with positive areas";
   case Cone_reduction_status::INVALID_SIGNATURE: return "the holonomy signature is not admissible on this mesh";
   case Cone_reduction_status::SOLVER_FAILED: return "the linear solver failed";
   case Cone_reduction_status::INTERRUPTED: return "interrupted by the visitor";

@@ -21,18 +21,27 @@ enum class Holonomy_signature_status {
   VALID,                 ///< the signature is admissible
   INVALID_MESH,          ///< the mesh is refused: see `mesh`
   INVALID_FIELD,         ///< the field has no direction at `face`: zero, not a number, or perpendicular to the face
-  NULL_VERTEX,           ///< cone number `index` has no vertex
-  FOREIGN_VERTEX,        ///< the vertex of cone number `index` is not a vertex of the mesh, or not any more
-  DUPLICATE_CONE,        ///< `vertex` is given twice; cone number `index` repeats it
+  NULL_VERTEX,           ///< cone or corner number `index` has no vertex
+  FOREIGN_VERTEX,        ///< the vertex of cone or corner number `index` is not one of the mesh, or not any more
+  CONE_ON_BORDER,        ///< `vertex`, of cone number `index`, is on the border: it can be a corner
+  CORNER_INSIDE,         ///< `vertex`, of corner number `index`, is not on the border: it can be a cone
+  DUPLICATE_CONE,        ///< `vertex` is given twice; cone or corner number `index` repeats it
   NON_POSITIVE_CONE,     ///< `vertex` has the number `actual` < 1 of quarter turns
-  GAUSS_BONNET_VIOLATED, ///< the sum of 4 - k over the vertices of `component` is `actual` instead of `expected`
+  GAUSS_BONNET_VIOLATED, ///< the sum of 4 - k_v and 2 - k_b over the vertices of `component` is `actual` instead of
+                         ///< `expected`
   WRONG_NUMBER_OF_LOOPS, ///< `component` has `actual` loops instead of `expected`
   WRONG_NUMBER_OF_TURNS, ///< `actual` loop turning numbers are given instead of `expected`
   INVALID_LOOP,          ///< loop number `index` is not a closed strip of faces that never turns back
   FOREIGN_LOOP,          ///< a halfedge of loop number `index` is not one of the mesh, or not any more
   DEPENDENT_LOOPS,       ///< the loops of `component` do not generate its homology
+  WRONG_NUMBER_OF_ARCS,  ///< `component` has `actual` arcs instead of `expected`
+  INVALID_ARC,           ///< arc number `index` is not a strip of faces from border to border that never turns back
+  FOREIGN_ARC,           ///< a halfedge of arc number `index` is not one of the mesh, or not any more
+  DEPENDENT_ARCS,        ///< the arcs of `component` do not join the curves of its border
   VERTEX_NOT_INTEGER,    ///< the turns around `vertex` are not a multiple of pi/2 within 1e-6
   LOOP_NOT_INTEGER,      ///< the turns along loop number `index` are not a multiple of pi/2 within 1e-6
+  ARC_NOT_INTEGER,       ///< the turns along arc number `index` are not a multiple of pi/2 within 1e-6
+  FIELD_NOT_ALIGNED,     ///< the field does not follow the border at `halfedge`: it is off by `deviation`
   INTERRUPTED            ///< the visitor asked to stop
 };
 
@@ -42,17 +51,19 @@ inline const char* message(const Holonomy_signature_status status)
 {
   switch (status) {
   case Holonomy_signature_status::VALID: return "the signature is admissible";
-  case Holonomy_signature_status::INVALID_MESH: return "the mesh is not a closed triangle mesh with positive areas";
+  case Holonomy_signature_status::INVALID_MESH: return "the mesh is not a triangle mesh with positive areas";
   case Holonomy_signature_status::INVALID_FIELD: return "the field has no direction in a face";
-  case Holonomy_signature_status::NULL_VERTEX: return "a cone has no vertex";
+  case Holonomy_signature_status::NULL_VERTEX: return "a cone or corner has no vertex";
+  case Holonomy_signature_status::CONE_ON_BORDER: return "a cone is on the border; make it a corner";
+  case Holonomy_signature_status::CORNER_INSIDE: return "a corner is not on the border; make it a cone";
   case Holonomy_signature_status::FOREIGN_VERTEX:
-    return "a cone has a vertex that the mesh does not have; the signature belongs to another mesh, or the mesh was "
-           "edited";
-  case Holonomy_signature_status::DUPLICATE_CONE: return "a vertex is given as a cone twice";
+    return "a cone or corner has a vertex that the mesh does not have; the signature belongs to another mesh, or the "
+           "mesh was edited";
+  case Holonomy_signature_status::DUPLICATE_CONE: return "a vertex is given as a cone, or as a corner, twice";
   case Holonomy_signature_status::NON_POSITIVE_CONE: return "a vertex has fewer than one quarter turn";
   case Holonomy_signature_status::GAUSS_BONNET_VIOLATED:
-    return "the cones of a component violate the Gauss-Bonnet theorem: 4 - k must sum up to four times the Euler "
-           "characteristic";
+    return "the cones and corners of a component violate the Gauss-Bonnet theorem: 4 - k of its cones and 2 - k of its "
+           "corners must sum up to four times the Euler characteristic";
   case Holonomy_signature_status::WRONG_NUMBER_OF_LOOPS: return "a component has not as many loops as twice its genus";
   case Holonomy_signature_status::WRONG_NUMBER_OF_TURNS: return "there are not as many turning numbers as loops";
   case Holonomy_signature_status::INVALID_LOOP: return "a loop is not a closed strip of faces";
@@ -60,8 +71,18 @@ inline const char* message(const Holonomy_signature_status status)
     return "a loop has a halfedge that the mesh does not have; the signature belongs to another mesh, or the mesh was "
            "edited";
   case Holonomy_signature_status::DEPENDENT_LOOPS: return "the loops of a component do not generate its homology";
+  case Holonomy_signature_status::WRONG_NUMBER_OF_ARCS:
+    return "a component has not one arc fewer than its border has closed curves";
+  case Holonomy_signature_status::INVALID_ARC: return "an arc is not a strip of faces from border to border";
+  case Holonomy_signature_status::FOREIGN_ARC:
+    return "an arc has a halfedge that the mesh does not have; the signature belongs to another mesh, or the mesh was "
+           "edited";
+  case Holonomy_signature_status::DEPENDENT_ARCS:
+    return "the arcs of a component do not join all the closed curves of its border";
   case Holonomy_signature_status::VERTEX_NOT_INTEGER: return "the field does not close up around a vertex";
   case Holonomy_signature_status::LOOP_NOT_INTEGER: return "the field does not close up along a loop";
+  case Holonomy_signature_status::ARC_NOT_INTEGER: return "the field does not close up along an arc";
+  case Holonomy_signature_status::FIELD_NOT_ALIGNED: return "the field does not follow the border";
   case Holonomy_signature_status::INTERRUPTED: return "interrupted by the visitor";
   }
   return "";
@@ -78,13 +99,16 @@ struct Holonomy_signature_report {
   Holonomy_signature_status status = Holonomy_signature_status::VALID; ///< what is wrong
   Triangle_mesh_report<TriangleMesh> mesh;                             ///< the check of the mesh
   typename Traits::vertex_descriptor vertex = Traits::null_vertex();   ///< a cone, or where the field does not close up
-  /// Of GAUSS_BONNET_VIOLATED, DEPENDENT_LOOPS and WRONG_NUMBER_OF_LOOPS: the first face of the component.
+  /// Of GAUSS_BONNET_VIOLATED and of wrong numbers of, or dependent, loops and arcs: the first face of the component.
   typename Traits::face_descriptor face = Traits::null_face();
-  std::size_t index = 0; ///< of a cone or loop
-  int component = 0;     ///< components are numbered in the order of their first faces
-  int expected = 0;      ///< what `status` compares with
-  int actual = 0;        ///< what was found
-  double deviation = 0;  ///< largest distance, in quarter turns, of a computed number from an integer
+  typename Traits::halfedge_descriptor halfedge = Traits::null_halfedge(); ///< of an edge on the border
+  std::size_t index = 0;                                                   ///< of a cone, corner, loop or arc
+  bool is_corner = false; ///< whether `index` is that of a corner, not of a cone
+  int component = 0;      ///< components are numbered in the order of their first faces
+  int expected = 0;       ///< what `status` compares with
+  int actual = 0;         ///< what was found
+  double deviation = 0;   ///< largest distance, in quarter turns, of a computed number from an integer, or of the field
+                          ///< from the direction of the border
 
   /// returns whether `status` tells of success.
   bool success() const { return status == Holonomy_signature_status::VALID; }
@@ -108,7 +132,11 @@ std::string describe(const Holonomy_signature_report<TriangleMesh>& report, cons
   case Status::INVALID_MESH: return describe(report.mesh, mesh);
   case Status::INVALID_FIELD: text += ": " + internal::face_in_words(report.face, mesh) + counted; break;
   case Status::NULL_VERTEX:
-  case Status::FOREIGN_VERTEX: text += ": cone " + std::to_string(report.index) + counted; break;
+  case Status::FOREIGN_VERTEX:
+    text += (report.is_corner ? ": corner " : ": cone ") + std::to_string(report.index) + counted;
+    break;
+  case Status::CONE_ON_BORDER:
+  case Status::CORNER_INSIDE:
   case Status::DUPLICATE_CONE:
   case Status::VERTEX_NOT_INTEGER: text += ": " + internal::vertex_in_words(report.vertex, mesh) + counted; break;
   case Status::NON_POSITIVE_CONE:
@@ -119,6 +147,7 @@ std::string describe(const Holonomy_signature_report<TriangleMesh>& report, cons
     text += ": the sum over component " + std::to_string(report.component) + numbers + " (off by " +
             std::to_string(report.actual - report.expected) + ")";
     break;
+  case Status::WRONG_NUMBER_OF_ARCS:
   case Status::WRONG_NUMBER_OF_LOOPS:
     text += ": the number in component " + std::to_string(report.component) + numbers;
     break;
@@ -126,6 +155,14 @@ std::string describe(const Holonomy_signature_report<TriangleMesh>& report, cons
   case Status::INVALID_LOOP:
   case Status::FOREIGN_LOOP:
   case Status::LOOP_NOT_INTEGER: text += ": loop " + std::to_string(report.index) + counted; break;
+  case Status::INVALID_ARC:
+  case Status::ARC_NOT_INTEGER:
+  case Status::FOREIGN_ARC: text += ": arc " + std::to_string(report.index) + counted; break;
+  case Status::FIELD_NOT_ALIGNED:
+    text += ": it is off by " + std::to_string(static_cast<int>(std::lround(90 * report.deviation))) + " degrees at " +
+            internal::edge_in_words(report.halfedge, mesh) + counted + "; give a field that follows it, or none";
+    break;
+  case Status::DEPENDENT_ARCS:
   case Status::DEPENDENT_LOOPS: text += ": component " + std::to_string(report.component) + counted; break;
   }
   return text;

@@ -6,7 +6,7 @@
 
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
-#include <CGAL/T_splines/Cross_field/internal/Closed_mesh.h>
+#include <CGAL/T_splines/Cross_field/internal/Signature_domain.h>
 #include <CGAL/T_splines/Cross_field/internal/homology_classes.h>
 #include <CGAL/T_splines/Cross_field/internal/strip_turning.h>
 #include <CGAL/T_splines/internal/graph_checks.h>
@@ -27,57 +27,84 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-// Looks for cones and loops that are not of the mesh. Handles of some graphs must not be hashed if they are null.
+// Looks for the vertices of cones or corners that are not of the mesh. Handles of some graphs must not be hashed if they
+// are null.
+template <typename TriangleMesh, typename Numbers>
+void check_vertices(const TriangleMesh& mesh, const Numbers& numbers, const bool are_corners,
+                    Holonomy_signature_report<TriangleMesh>& report)
+{
+  using Traits = boost::graph_traits<TriangleMesh>;
+  Claimed_descriptors<typename Traits::vertex_descriptor> claimed;
+  for (const auto& number : numbers)
+    if (number.first != Traits::null_vertex())
+      claimed.insert(number.first);
+  claimed.find_in(CGAL::make_range(vertices(mesh)));
+  for (std::size_t i = 0; i < numbers.size() && report.success(); ++i) {
+    report.index = i;
+    report.is_corner = are_corners;
+    if (numbers[i].first == Traits::null_vertex())
+      report.status = Holonomy_signature_status::NULL_VERTEX;
+    else if (claimed.is_foreign(numbers[i].first))
+      report.status = Holonomy_signature_status::FOREIGN_VERTEX;
+  }
+}
+
+// Looks for the halfedges of loops or arcs that are not of the mesh.
+template <typename TriangleMesh, typename Strips>
+void check_halfedges(const TriangleMesh& mesh, const Strips& strips, const Holonomy_signature_status foreign,
+                     Holonomy_signature_report<TriangleMesh>& report)
+{
+  using Traits = boost::graph_traits<TriangleMesh>;
+  Claimed_descriptors<typename Traits::halfedge_descriptor> claimed;
+  for (const auto& strip : strips)
+    for (const auto h : strip.halfedges)
+      if (h != Traits::null_halfedge())
+        claimed.insert(h);
+  claimed.find_in(CGAL::make_range(halfedges(mesh)));
+  for (std::size_t i = 0; i < strips.size(); ++i)
+    for (const auto h : strips[i].halfedges)
+      if (report.success() && h != Traits::null_halfedge() && claimed.is_foreign(h)) {
+        report.status = foreign;
+        report.index = i;
+      }
+}
+
 template <typename TriangleMesh>
 void check_descriptors(const TriangleMesh& mesh, const Holonomy_signature<TriangleMesh>& signature,
                        Holonomy_signature_report<TriangleMesh>& report)
 {
-  using Traits = boost::graph_traits<TriangleMesh>;
-  Claimed_descriptors<typename Traits::vertex_descriptor> claimed_vertices;
-  for (const auto& cone : signature.cones())
-    if (cone.first != Traits::null_vertex())
-      claimed_vertices.insert(cone.first);
-  claimed_vertices.find_in(CGAL::make_range(vertices(mesh)));
-  for (std::size_t i = 0; i < signature.cones().size(); ++i) {
-    report.index = i;
-    if (signature.cones()[i].first == Traits::null_vertex())
-      report.status = Holonomy_signature_status::NULL_VERTEX;
-    else if (claimed_vertices.is_foreign(signature.cones()[i].first))
-      report.status = Holonomy_signature_status::FOREIGN_VERTEX;
-    if (!report.success())
-      return;
+  check_vertices(mesh, signature.cones(), false, report);
+  if (report.success())
+    check_vertices(mesh, signature.corners(), true, report);
+  if (report.success())
+    check_halfedges(mesh, signature.loops(), Holonomy_signature_status::FOREIGN_LOOP, report);
+  if (report.success())
+    check_halfedges(mesh, signature.arcs(), Holonomy_signature_status::FOREIGN_ARC, report);
+}
+
+// The halfedges of a loop or arc in indices; empty if one is null.
+template <typename TriangleMesh, typename Strip>
+std::vector<int> strip_in_indices(const Signature_domain<TriangleMesh>& mesh, const Strip& strip)
+{
+  std::vector<int> result;
+  for (const auto h : strip.halfedges) {
+    if (h == boost::graph_traits<TriangleMesh>::null_halfedge())
+      return {};
+    result.push_back(mesh.m_indexing.halfedge_index(h));
   }
-  Claimed_descriptors<typename Traits::halfedge_descriptor> claimed_halfedges;
-  for (const auto& loop : signature.loops())
-    for (const auto h : loop.halfedges)
-      if (h != Traits::null_halfedge())
-        claimed_halfedges.insert(h);
-  claimed_halfedges.find_in(CGAL::make_range(halfedges(mesh)));
-  for (std::size_t i = 0; i < signature.loops().size(); ++i)
-    for (const auto h : signature.loops()[i].halfedges)
-      if (h != Traits::null_halfedge() && claimed_halfedges.is_foreign(h)) {
-        report.status = Holonomy_signature_status::FOREIGN_LOOP;
-        report.index = i;
-        return;
-      }
+  return result;
 }
 
 // Sorts the loops by components, as strips of indices.
 template <typename TriangleMesh>
-std::vector<std::vector<std::vector<int>>> checked_strips(const Closed_mesh<TriangleMesh>& mesh,
+std::vector<std::vector<std::vector<int>>> checked_strips(const Signature_domain<TriangleMesh>& mesh,
                                                           const Holonomy_signature<TriangleMesh>& signature,
                                                           Holonomy_signature_report<TriangleMesh>& report)
 {
   std::vector<std::vector<std::vector<int>>> strips(mesh.m_components.size());
   for (std::size_t i = 0; i < signature.loops().size(); ++i) {
-    std::vector<int> strip;
-    bool is_valid = true;
-    for (const auto h : signature.loops()[i].halfedges) {
-      is_valid = is_valid && h != boost::graph_traits<TriangleMesh>::null_halfedge();
-      if (is_valid)
-        strip.push_back(mesh.m_indexing.halfedge_index(h));
-    }
-    if (!is_valid || !is_closed_strip(mesh.m_connectivity, strip)) {
+    std::vector<int> strip = strip_in_indices(mesh, signature.loops()[i]);
+    if (!is_closed_strip(mesh.m_connectivity, strip)) {
       report.status = Holonomy_signature_status::INVALID_LOOP;
       report.index = i;
       return strips;
@@ -88,7 +115,7 @@ std::vector<std::vector<std::vector<int>>> checked_strips(const Closed_mesh<Tria
 }
 
 template <typename TriangleMesh>
-void check_loops(const Closed_mesh<TriangleMesh>& mesh, const Holonomy_signature<TriangleMesh>& signature,
+void check_loops(const Signature_domain<TriangleMesh>& mesh, const Holonomy_signature<TriangleMesh>& signature,
                  Progress& progress, Holonomy_signature_report<TriangleMesh>& report)
 {
   const std::vector<std::vector<std::vector<int>>> strips = checked_strips(mesh, signature, report);
@@ -114,6 +141,39 @@ void check_loops(const Closed_mesh<TriangleMesh>& mesh, const Holonomy_signature
   }
 }
 
+// Arcs must join the curves of the border of a component to one tree.
+template <typename TriangleMesh>
+void check_arcs(const Signature_domain<TriangleMesh>& mesh, const Holonomy_signature<TriangleMesh>& signature,
+                Holonomy_signature_report<TriangleMesh>& report)
+{
+  const std::vector<std::vector<int>> curves = border_curves(mesh.m_connectivity);
+  const std::vector<int> curve = curves_of_vertices(mesh.m_connectivity, curves);
+  Disjoint_sets sets(curves.size());
+  std::vector<int> actual(mesh.m_components.size(), 0), joined(mesh.m_components.size(), 0);
+  for (std::size_t i = 0; i < signature.arcs().size(); ++i) {
+    const std::vector<int> strip = strip_in_indices(mesh, signature.arcs()[i]);
+    if (!is_strip_across(mesh.m_connectivity, strip)) {
+      report.status = Holonomy_signature_status::INVALID_ARC;
+      report.index = i;
+      return;
+    }
+    const int first = mesh.m_connectivity.target(strip.front()), last = mesh.m_connectivity.target(strip.back());
+    ++actual[mesh.m_components.of_vertex[first]];
+    joined[mesh.m_components.of_vertex[first]] += sets.join(curve[first], curve[last]) ? 1 : 0;
+  }
+  for (int c = 0; c < mesh.m_components.size(); ++c) {
+    const int expected = (std::max)(0, mesh.m_components.number_of_borders[c] - 1);
+    if (joined[c] == expected && actual[c] == expected)
+      continue;
+    report.status = actual[c] != expected ? Holonomy_signature_status::WRONG_NUMBER_OF_ARCS
+                                          : Holonomy_signature_status::DEPENDENT_ARCS;
+    report.expected = expected;
+    report.actual = actual[c];
+    mesh.name_component(c, report);
+    return;
+  }
+}
+
 // What `check_holonomy_signature()` does; no stage is begun.
 template <typename TriangleMesh, typename NamedParameters>
 Holonomy_signature_report<TriangleMesh> holonomy_signature_report(const TriangleMesh& mesh,
@@ -121,7 +181,7 @@ Holonomy_signature_report<TriangleMesh> holonomy_signature_report(const Triangle
                                                                   const NamedParameters& np, Progress& progress)
 {
   Holonomy_signature_report<TriangleMesh> report;
-  report.mesh = check_closed_mesh(mesh, np, progress);
+  report.mesh = triangle_mesh_report(mesh, np, progress);
   if (!report.mesh.success()) {
     report.status = Holonomy_signature_status::INVALID_MESH;
     return report;
@@ -129,11 +189,13 @@ Holonomy_signature_report<TriangleMesh> holonomy_signature_report(const Triangle
   internal::check_descriptors(mesh, signature, report);
   if (!report.success())
     return report;
-  const Closed_mesh<TriangleMesh> closed_mesh(mesh, np);
+  const Signature_domain<TriangleMesh> domain(mesh, np);
   progress.go_on();
-  closed_mesh.check_cones(signature, report);
+  domain.check_cones(signature, report);
   if (report.success())
-    check_loops(closed_mesh, signature, progress, report);
+    check_arcs(domain, signature, report);
+  if (report.success())
+    check_loops(domain, signature, progress, report);
   return report;
 }
 
@@ -141,8 +203,8 @@ Holonomy_signature_report<TriangleMesh> holonomy_signature_report(const Triangle
 
 /// \ingroup PkgTSplinesCrossField
 /// checks whether a holonomy signature is admissible on a mesh: the mesh is valid and has the signature's elements, every vertex has at least one quarter
-/// turn, the theorem of Gauss and Bonnet holds in each connected component, and each component has 2g loops that are
-/// closed strips and generate its homology over the integers.
+/// turn, the theorem of Gauss and Bonnet holds in each connected component, each component has 2g loops that are closed
+/// strips and generate its homology over the integers, and arcs that join the closed curves of its border to one tree.
 ///
 /// How large the numbers may be for a given triangulation is another question: the computation of the map answers it.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -169,8 +231,9 @@ Holonomy_signature_report<TriangleMesh> holonomy_signature_report(const Triangle
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the status INVALID_MESH, NULL_VERTEX, FOREIGN_VERTEX, FOREIGN_LOOP, NON_POSITIVE_CONE, GAUSS_BONNET_VIOLATED,
-///         INVALID_LOOP, WRONG_NUMBER_OF_LOOPS, DEPENDENT_LOOPS, INTERRUPTED or VALID.
+/// \return the status INVALID_MESH, NULL_VERTEX, FOREIGN_VERTEX, FOREIGN_LOOP, FOREIGN_ARC, CONE_ON_BORDER, CORNER_INSIDE,
+///         NON_POSITIVE_CONE, GAUSS_BONNET_VIOLATED, INVALID_ARC, WRONG_NUMBER_OF_ARCS, DEPENDENT_ARCS, INVALID_LOOP,
+///         WRONG_NUMBER_OF_LOOPS, DEPENDENT_LOOPS, INTERRUPTED or VALID.
 /// Complexity: O(n log n) in the number of faces, and O(g^3) per component.
 template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Holonomy_signature_report<TriangleMesh>

@@ -87,7 +87,7 @@ std::string describe(const Triangle_mesh_report<TriangleMesh>& report, const Tri
   switch (report.status) {
   case Status::VALID:
   case Status::INTERRUPTED: break;
-  case Status::EMPTY: text += ": it needs at least four"; break;
+  case Status::EMPTY: text += ": it needs at least one"; break;
   case Status::NOT_TRIANGULATED:
     text += ": " + internal::face_in_words(report.face, mesh) + ", counted from 0; triangulate the mesh first";
     break;
@@ -233,8 +233,8 @@ Triangle_mesh_report<TriangleMesh> check_mesh_geometry(const TriangleMesh& mesh,
 
 // What `check_triangle_mesh()` does; no stage is begun.
 template <typename TriangleMesh, typename NamedParameters>
-Triangle_mesh_report<TriangleMesh> triangle_mesh_report(const TriangleMesh& mesh, const bool is_border_allowed,
-                                                        const NamedParameters& np, Progress& progress)
+Triangle_mesh_report<TriangleMesh> triangle_mesh_report(const TriangleMesh& mesh, const NamedParameters& np,
+                                                        Progress& progress)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -242,6 +242,7 @@ Triangle_mesh_report<TriangleMesh> triangle_mesh_report(const TriangleMesh& mesh
   const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                        get_const_property_map(CGAL::vertex_point, mesh));
   const auto traits = choose_parameter<GeomTraits>(get_parameter(np, CGAL::internal_np::geom_traits));
+  const bool is_border_allowed = choose_parameter(get_parameter(np, np_tags::border_is_allowed), true);
   Triangle_mesh_report<TriangleMesh> report;
   if (!progress.go_on())
     report.status = Triangle_mesh_status::INTERRUPTED;
@@ -253,8 +254,8 @@ Triangle_mesh_report<TriangleMesh> triangle_mesh_report(const TriangleMesh& mesh
 } // namespace internal
 
 /// \ingroup PkgTSplinesCrossField
-/// checks whether a mesh is what this package computes on: a closed triangle mesh whose vertices are manifold and whose
-/// edges and faces are not degenerate. Several connected components are allowed.
+/// checks whether a mesh is what this package computes on: a triangle mesh whose vertices are manifold and whose
+/// edges and faces are not degenerate. A border and several connected components are allowed.
 ///
 /// The tests of the geometry are exact: they neither depend on the size of the mesh nor on its distance from the
 /// origin. Connectivity is judged first.
@@ -277,7 +278,7 @@ Triangle_mesh_report<TriangleMesh> triangle_mesh_report(const TriangleMesh& mesh
 ///   \cgalParamNBegin{border_is_allowed}
 ///     \cgalParamDescription{whether a mesh with border is valid}
 ///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`false`}
+///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{what hears of the progress and may stop the work}
@@ -293,13 +294,10 @@ template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::De
 Triangle_mesh_report<TriangleMesh> check_triangle_mesh(const TriangleMesh& mesh,
                                                        const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  const bool is_border_allowed = choose_parameter(get_parameter(np, np_tags::border_is_allowed), false);
   const auto visitor = internal::progress_visitor(np);
   internal::Progress progress(visitor);
   progress.begin_stage("mesh check");
-  return internal::triangle_mesh_report(mesh, is_border_allowed, np, progress);
+  return internal::triangle_mesh_report(mesh, np, progress);
 }
 
 } // namespace T_splines

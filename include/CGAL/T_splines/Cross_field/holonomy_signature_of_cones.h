@@ -6,14 +6,13 @@
 
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
-#include <CGAL/T_splines/Cross_field/internal/Closed_mesh.h>
+#include <CGAL/T_splines/Cross_field/internal/Signature_domain.h>
+#include <CGAL/T_splines/Cross_field/internal/check_numbered_vertices.h>
 #include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
 #include <CGAL/T_splines/Cross_field/internal/strip_turning.h>
-#include <CGAL/T_splines/internal/graph_checks.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -21,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -29,38 +27,31 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-template <typename TriangleMesh, typename ConeRange>
-void set_cones(const ConeRange& cones, const TriangleMesh& mesh, Holonomy_signature<TriangleMesh>& signature,
-               Holonomy_signature_report<TriangleMesh>& report)
+// Where the border has corners, as the guide sees them.
+template <typename TriangleMesh>
+void set_corners(const Signature_domain<TriangleMesh>& mesh, const Border_guide& guide,
+                 Holonomy_signature<TriangleMesh>& signature)
 {
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  Claimed_descriptors<vertex_descriptor> claimed;
-  for (const auto& cone : cones)
-    if (cone.first != boost::graph_traits<TriangleMesh>::null_vertex())
-      claimed.insert(cone.first);
-  claimed.find_in(CGAL::make_range(vertices(mesh)));
-  std::unordered_set<vertex_descriptor> known;
-  report.index = 0;
-  for (const auto& [vertex, k] : cones) {
-    report.vertex = vertex;
-    report.actual = k;
-    if (vertex == boost::graph_traits<TriangleMesh>::null_vertex())
-      report.status = Holonomy_signature_status::NULL_VERTEX;
-    else if (claimed.is_foreign(vertex))
-      report.status = Holonomy_signature_status::FOREIGN_VERTEX;
-    else if (!known.insert(vertex).second)
-      report.status = Holonomy_signature_status::DUPLICATE_CONE;
-    else if (k < 1)
-      report.status = Holonomy_signature_status::NON_POSITIVE_CONE;
-    if (!report.success())
-      return;
-    signature.set_quarter_turns(vertex, k);
-    ++report.index;
-  }
+  for (int v = 0; v < mesh.m_connectivity.number_of_vertices(); ++v)
+    if (guide.quarter_turns()[v] != Border_guide::regular)
+      signature.set_corner_quarter_turns(mesh.m_indexing.vertex(v), guide.quarter_turns()[v]);
+}
+
+// Arcs turn as those of the mesh do, up to the next quarter turns.
+template <typename TriangleMesh>
+void add_arcs(const Signature_domain<TriangleMesh>& mesh, const Border_guide& guide, Progress& progress,
+              Holonomy_signature<TriangleMesh>& signature)
+{
+  const std::vector<double> no_rotation(mesh.m_connectivity.number_of_edges(), 0.);
+  for (const std::vector<int>& strip : mesh.short_arcs(progress))
+    signature.add_arc(
+        mesh.halfedges_of(strip),
+        static_cast<int>(std::round(strip_quarter_turns(mesh.m_connectivity, strip, mesh.m_geometry.m_corner_angle,
+                                                        no_rotation, guide.deviations()))));
 }
 
 template <typename TriangleMesh, typename NamedParameters>
-void add_loops(const Closed_mesh<TriangleMesh>& mesh, const NamedParameters& np, Progress& progress,
+void add_loops(const Signature_domain<TriangleMesh>& mesh, const NamedParameters& np, Progress& progress,
                Holonomy_signature<TriangleMesh>& signature, Holonomy_signature_report<TriangleMesh>& report)
 {
   const auto turning_numbers = CGAL::parameters::get_parameter(np, np_tags::loop_turning_numbers);
@@ -95,7 +86,7 @@ void add_loops(const Closed_mesh<TriangleMesh>& mesh, const NamedParameters& np,
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam ConeRange a range of pairs of a vertex and its number k >= 1 of quarter turns; vertices that are not mentioned
 ///         are regular
-/// \param mesh a closed triangle mesh, as `check_triangle_mesh()` demands
+/// \param mesh a triangle mesh, as `check_triangle_mesh()` demands; it may have a border
 /// \param cones the cones; for each connected component, 4 - k sums up to four times its Euler characteristic
 /// \param signature is cleared and filled with the cones and 2g short loops per component; its contents are meaningful
 ///        upon success, its loops also with the status WRONG_NUMBER_OF_TURNS. It stays what it was if the status is
@@ -120,6 +111,17 @@ void add_loops(const Closed_mesh<TriangleMesh>& mesh, const NamedParameters& np,
 ///     \cgalParamDefault{those nearest to the turning of the loops in the metric of the mesh}
 ///     \cgalParamExtra{The loops of a mesh are always the same, and in the same order.}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{corners}
+///     \cgalParamDescription{the vertices on the border with other than two quarter turns, and their numbers}
+///     \cgalParamType{`std::optional<std::vector<Holonomy_signature<TriangleMesh>::Corner>>`}
+///     \cgalParamDefault{`std::nullopt`: where the border turns by more than the corner angle}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{corner_angle}
+///     \cgalParamDescription{by how much the border turns at a corner, in degrees: within the surface, over one part in 64
+///       of its length to either side}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`default_corner_angle`, 50}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{what hears of the progress and may stop the work}
 ///     \cgalParamType{a model of `ProgressVisitor`, copied}
@@ -127,8 +129,8 @@ void add_loops(const Closed_mesh<TriangleMesh>& mesh, const NamedParameters& np,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the status INVALID_MESH, NULL_VERTEX, DUPLICATE_CONE, NON_POSITIVE_CONE, GAUSS_BONNET_VIOLATED,
-///         WRONG_NUMBER_OF_TURNS, INTERRUPTED or VALID.
+/// \return the status INVALID_MESH, NULL_VERTEX, FOREIGN_VERTEX, DUPLICATE_CONE, NON_POSITIVE_CONE, CONE_ON_BORDER,
+///         CORNER_INSIDE, GAUSS_BONNET_VIOLATED, WRONG_NUMBER_OF_TURNS, INTERRUPTED or VALID.
 /// Complexity: O(n log n) in the number of faces.
 template <typename TriangleMesh, typename ConeRange,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -142,16 +144,24 @@ holonomy_signature_of_cones(const TriangleMesh& mesh, const ConeRange& cones,
   progress.begin_stage("holonomy signature");
   Holonomy_signature_report<TriangleMesh> report;
   Holonomy_signature<TriangleMesh> result;
-  report.mesh = internal::check_closed_mesh(mesh, np, progress);
+  report.mesh = internal::triangle_mesh_report(mesh, np, progress);
   if (!report.mesh.success())
     report.status = Holonomy_signature_status::INVALID_MESH;
-  else
-    internal::set_cones(cones, mesh, result, report);
+  if (report.success())
+    internal::check_numbered_vertices(mesh, cones, false, report);
+  if (report.success())
+    internal::check_given_corners(mesh, np, report);
   if (report.success() && progress.go_on()) {
-    const internal::Closed_mesh<TriangleMesh> closed_mesh(mesh, np);
-    closed_mesh.check_cones(result, report);
+    for (const auto& [vertex, k] : cones)
+      result.set_quarter_turns(vertex, k);
+    const internal::Signature_domain<TriangleMesh> domain(mesh, np);
+    const internal::Border_guide guide = domain.guide(np);
+    internal::set_corners(domain, guide, result);
+    domain.check_cones(result, report);
     if (report.success() && progress.go_on())
-      internal::add_loops(closed_mesh, np, progress, result, report);
+      internal::add_loops(domain, np, progress, result, report);
+    if (report.success() && progress.go_on())
+      internal::add_arcs(domain, guide, progress, result);
   }
   if (progress.is_interrupted())
     report.status = Holonomy_signature_status::INTERRUPTED;

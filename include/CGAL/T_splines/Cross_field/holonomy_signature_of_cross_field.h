@@ -6,7 +6,8 @@
 
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
-#include <CGAL/T_splines/Cross_field/internal/Closed_mesh.h>
+#include <CGAL/T_splines/Cross_field/internal/Signature_domain.h>
+#include <CGAL/T_splines/Cross_field/internal/check_numbered_vertices.h>
 #include <CGAL/T_splines/Cross_field/support/cross_angles.h>
 #include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
 #include <CGAL/T_splines/internal/Progress.h>
@@ -24,10 +25,13 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
+// A cross that is further from the direction of the border might as well be turned the other way.
+constexpr double largest_border_deviation = 30 * CGAL_PI / 180;
+
 // The rotation of the field across each edge, by given matchings if there are any.
 template <typename TriangleMesh, typename NamedParameters>
-std::vector<double> matched_rotations(const Closed_mesh<TriangleMesh>& mesh, const std::vector<double>& angle_in_face,
-                                      const NamedParameters& np)
+std::vector<double> matched_rotations(const Signature_domain<TriangleMesh>& mesh,
+                                      const std::vector<double>& angle_in_face, const NamedParameters& np)
 {
   const std::vector<double> angle = angles_to_halfedges(mesh.m_connectivity, mesh.m_geometry, angle_in_face);
   const auto matching_map = CGAL::parameters::get_parameter(np, np_tags::halfedge_matching_map);
@@ -42,13 +46,22 @@ std::vector<double> matched_rotations(const Closed_mesh<TriangleMesh>& mesh, con
   }
 }
 
+// A field and what it is measured by: the rotations across edges, and the crosses at the border.
+struct Field_holonomy {
+  std::vector<double> rotation;     // per edge
+  std::vector<double> border_cross; // per edge on the border
+};
+
 template <typename TriangleMesh>
-void signature_of_rotations(const Closed_mesh<TriangleMesh>& mesh, const std::vector<double>& rotation,
-                            Progress& progress, Holonomy_signature<TriangleMesh>& signature,
-                            Holonomy_signature_report<TriangleMesh>& report)
+void set_vertices(const Signature_domain<TriangleMesh>& mesh, const Field_holonomy& field,
+                  Holonomy_signature<TriangleMesh>& signature, Holonomy_signature_report<TriangleMesh>& report)
 {
-  const std::vector<double>& corner_angle = mesh.m_geometry.m_corner_angle;
-  const std::vector<double> turns = vertex_quarter_turns(mesh.m_connectivity, corner_angle, rotation);
+  const std::vector<double> turns =
+      vertex_quarter_turns(mesh.m_connectivity, mesh.m_geometry.m_corner_angle, field.rotation, field.border_cross);
+  std::vector<char> is_on_border(turns.size(), 0);
+  for (int h = 0; h < mesh.m_connectivity.number_of_halfedges(); ++h)
+    if (mesh.m_connectivity.face(h) == Triangulation_connectivity::null)
+      is_on_border[mesh.m_connectivity.target(h)] = 1;
   for (int v = 0; v < mesh.m_connectivity.number_of_vertices(); ++v) {
     int k = 0;
     if (!round_turns(turns[v], k, report.deviation)) {
@@ -56,38 +69,65 @@ void signature_of_rotations(const Closed_mesh<TriangleMesh>& mesh, const std::ve
       report.vertex = mesh.m_indexing.vertex(v);
       return;
     }
-    signature.set_quarter_turns(mesh.m_indexing.vertex(v), k);
+    if (is_on_border[v])
+      signature.set_corner_quarter_turns(mesh.m_indexing.vertex(v), k);
+    else
+      signature.set_quarter_turns(mesh.m_indexing.vertex(v), k);
   }
-  progress.progress(0.3);
-  if (!progress.go_on())
-    return;
-  for (const std::vector<int>& strip : mesh.short_loops(progress)) {
+}
+
+// Measures strips and hands each of them with its number to `add(halfedges, k)`. \return whether they are integers
+template <typename TriangleMesh, typename Add>
+bool add_strips(const Signature_domain<TriangleMesh>& mesh, const Field_holonomy& field,
+                const std::vector<std::vector<int>>& strips, Progress& progress,
+                Holonomy_signature_report<TriangleMesh>& report, const Add& add)
+{
+  for (std::size_t i = 0; i < strips.size() && progress.go_on_after(strips[i].size()); ++i) {
     int k = 0;
-    if (!progress.go_on_after(strip.size()))
-      return;
-    if (!round_turns(strip_quarter_turns(mesh.m_connectivity, strip, corner_angle, rotation), k, report.deviation)) {
-      report.status = Holonomy_signature_status::LOOP_NOT_INTEGER;
-      report.index = signature.loops().size();
-      return;
+    if (!round_turns(strip_quarter_turns(mesh.m_connectivity, strips[i], mesh.m_geometry.m_corner_angle, field.rotation,
+                                         field.border_cross),
+                     k, report.deviation)) {
+      report.index = i;
+      return false;
     }
-    signature.add_loop(mesh.halfedges_of(strip), k);
+    add(mesh.halfedges_of(strips[i]), k);
   }
-  if (!progress.is_interrupted())
+  return true;
+}
+
+template <typename TriangleMesh>
+void signature_of_rotations(const Signature_domain<TriangleMesh>& mesh, const Field_holonomy& field, Progress& progress,
+                            Holonomy_signature<TriangleMesh>& signature,
+                            Holonomy_signature_report<TriangleMesh>& report)
+{
+  set_vertices(mesh, field, signature, report);
+  progress.progress(0.3);
+  if (!report.success() || !progress.go_on())
+    return;
+  if (!add_strips(mesh, field, mesh.short_loops(progress), progress, report,
+                  [&](auto halfedges, const int k) { signature.add_loop(std::move(halfedges), k); }))
+    report.status = Holonomy_signature_status::LOOP_NOT_INTEGER;
+  else if (!add_strips(mesh, field, mesh.short_arcs(progress), progress, report,
+                       [&](auto halfedges, const int k) { signature.add_arc(std::move(halfedges), k); }))
+    report.status = Holonomy_signature_status::ARC_NOT_INTEGER;
+  else if (!progress.is_interrupted())
     mesh.check_cones(signature, report);
 }
 
 } // namespace internal
 
 /// \ingroup PkgTSplinesCrossField
-/// computes the holonomy signature of a cross field: how often the crosses turn around each vertex and along 2g short loops that
-/// generate the homology of each connected component.
+/// computes the holonomy signature of a cross field: how often the crosses turn around each vertex, along 2g short loops that
+/// generate the homology of each connected component, and along short arcs that join the closed curves of its border.
 ///
+/// On a border the crosses must follow its direction: that of its edges but for their noise, see the parameter
+/// `corner_angle`.
 /// Crosses in neighboring faces are matched by the closest rotation, at most pi/4, unless matchings are given. The number
 /// of a loop is the turning of its strip in the metric of the mesh minus the rotations of the field across its edges ([CZ17]
 /// section 2.1), the same for a vertex and the counter-clockwise loop around it.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam CrossFieldMap a model of `ReadablePropertyMap` from faces to three-dimensional vectors
-/// \param mesh a closed triangle mesh, as `check_triangle_mesh()` demands
+/// \param mesh a triangle mesh, as `check_triangle_mesh()` demands; it may have a border
 /// \param cross_field one of the four directions of the cross in each face; its length and its component normal to the
 ///        face do not matter
 /// \param signature is cleared and filled; its contents are meaningful only upon success. It stays what it was if the
@@ -114,6 +154,17 @@ void signature_of_rotations(const Closed_mesh<TriangleMesh>& mesh, const std::ve
 ///       integer}
 ///     \cgalParamDefault{none: the closest rotation decides}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{corners}
+///     \cgalParamDescription{the vertices on the border with other than two quarter turns, and their numbers}
+///     \cgalParamType{`std::optional<std::vector<Holonomy_signature<TriangleMesh>::Corner>>`}
+///     \cgalParamDefault{`std::nullopt`: where the border turns by more than the corner angle}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{corner_angle}
+///     \cgalParamDescription{by how much the border turns at a corner, in degrees: within the surface, over one part in 64
+///       of its length to either side}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{`default_corner_angle`, 50}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{what hears of the progress and may stop the work}
 ///     \cgalParamType{a model of `ProgressVisitor`, copied}
@@ -121,7 +172,8 @@ void signature_of_rotations(const Closed_mesh<TriangleMesh>& mesh, const std::ve
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the status INVALID_MESH, INVALID_FIELD, VERTEX_NOT_INTEGER, LOOP_NOT_INTEGER, NON_POSITIVE_CONE (a field that turns
+/// \return the status INVALID_MESH, INVALID_FIELD, FIELD_NOT_ALIGNED (it is off the direction of the border by more than 30
+///         degrees), VERTEX_NOT_INTEGER, LOOP_NOT_INTEGER, ARC_NOT_INTEGER, NON_POSITIVE_CONE (a field that turns
 ///         by a full turn or more at a vertex), GAUSS_BONNET_VIOLATED (impossible without given matchings), INTERRUPTED
 ///         or VALID.
 /// Complexity: O(n log n) in the number of faces.
@@ -136,7 +188,7 @@ holonomy_signature_of_cross_field(const TriangleMesh& mesh, const CrossFieldMap&
   internal::Progress progress(visitor);
   progress.begin_stage("holonomy signature");
   Holonomy_signature_report<TriangleMesh> report;
-  report.mesh = internal::check_closed_mesh(mesh, np, progress);
+  report.mesh = internal::triangle_mesh_report(mesh, np, progress);
   if (progress.is_interrupted()) {
     report.status = Holonomy_signature_status::INTERRUPTED;
     return report;
@@ -146,20 +198,38 @@ holonomy_signature_of_cross_field(const TriangleMesh& mesh, const CrossFieldMap&
     report.status = Holonomy_signature_status::INVALID_MESH;
     return report;
   }
-  const internal::Closed_mesh<TriangleMesh> closed_mesh(mesh, np);
+  internal::check_given_corners(mesh, np, report);
+  if (!report.success()) {
+    signature.clear();
+    return report;
+  }
+  const internal::Signature_domain<TriangleMesh> domain(mesh, np);
   std::vector<double> angle;
-  const int face_without_direction = internal::cross_angles(closed_mesh.m_indexing, closed_mesh.m_connectivity,
-                                                            closed_mesh.m_geometry, cross_field, angle);
+  const int face_without_direction =
+      internal::cross_angles(domain.m_indexing, domain.m_connectivity, domain.m_geometry, cross_field, angle);
   if (face_without_direction != internal::Triangulation_connectivity::null) {
     signature.clear();
     report.status = Holonomy_signature_status::INVALID_FIELD;
-    report.face = closed_mesh.m_indexing.face(face_without_direction);
+    report.face = domain.m_indexing.face(face_without_direction);
     return report;
   }
-  const std::vector<double> rotation = internal::matched_rotations(closed_mesh, angle, np);
+  internal::Field_holonomy field;
+  int worst = internal::Triangulation_connectivity::null;
+  double deviation = 0;
+  field.border_cross = internal::border_crosses(
+      domain.m_connectivity, domain.m_geometry, domain.guide(np),
+      internal::angles_to_halfedges(domain.m_connectivity, domain.m_geometry, angle), worst, deviation);
+  if (deviation > internal::largest_border_deviation) {
+    signature.clear();
+    report.status = Holonomy_signature_status::FIELD_NOT_ALIGNED;
+    report.halfedge = domain.m_indexing.halfedge(worst);
+    report.deviation = deviation / internal::quarter_turn;
+    return report;
+  }
+  field.rotation = internal::matched_rotations(domain, angle, np);
   Holonomy_signature<TriangleMesh> result;
   if (progress.go_on())
-    internal::signature_of_rotations(closed_mesh, rotation, progress, result, report);
+    internal::signature_of_rotations(domain, field, progress, result, report);
   if (progress.is_interrupted())
     report.status = Holonomy_signature_status::INTERRUPTED;
   else

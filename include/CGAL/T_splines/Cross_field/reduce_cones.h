@@ -7,7 +7,7 @@
 #include <CGAL/T_splines/Cross_field/Cone_reduction_report.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
 #include <CGAL/T_splines/Cross_field/check_holonomy_signature.h>
-#include <CGAL/T_splines/Cross_field/internal/Closed_mesh.h>
+#include <CGAL/T_splines/Cross_field/internal/Signature_domain.h>
 #include <CGAL/T_splines/Cross_field/internal/Cone_paths.h>
 #include <CGAL/T_splines/Cross_field/internal/Cone_reduction.h>
 #include <CGAL/T_splines/Cross_field/internal/Scale_energy.h>
@@ -50,23 +50,40 @@ Cone_reduction_limits cone_reduction_limits(const Mesh_components& components, c
   return limits;
 }
 
+/// The loops, then the arcs.
 template <typename TriangleMesh>
 std::vector<std::vector<int>> strips_of(const Mesh_indexing<TriangleMesh>& indexing,
                                         const Holonomy_signature<TriangleMesh>& signature)
 {
   std::vector<std::vector<int>> strips;
-  for (const auto& loop : signature.loops()) {
-    strips.emplace_back();
-    for (const auto h : loop.halfedges)
-      strips.back().push_back(indexing.halfedge_index(h));
-  }
+  const auto add = [&](const auto& loops_or_arcs) {
+    for (const auto& loop_or_arc : loops_or_arcs) {
+      strips.emplace_back();
+      for (const auto h : loop_or_arc.halfedges)
+        strips.back().push_back(indexing.halfedge_index(h));
+    }
+  };
+  add(signature.loops());
+  add(signature.arcs());
   return strips;
+}
+
+/// The angle defects that cones have to make up for: corners stay.
+template <typename TriangleMesh>
+std::vector<double> defects_without_corners(const Signature_domain<TriangleMesh>& domain,
+                                            const Holonomy_signature<TriangleMesh>& signature)
+{
+  std::vector<double> defects = angle_defects(domain.m_connectivity, domain.m_geometry);
+  for (const auto& [v, k] : signature.corners())
+    defects[domain.m_indexing.vertex_index(v)] -=
+        (Holonomy_signature<TriangleMesh>::regular_on_border - k) * quarter_turn;
+  return defects;
 }
 
 /// Where quarter turns of cones may go that have fewer than 3 or more than 6.
 template <typename TriangleMesh>
-std::vector<int> split_targets(const Closed_mesh<TriangleMesh>& mesh, const Holonomy_signature<TriangleMesh>& signature,
-                               Progress& progress)
+std::vector<int> split_targets(const Signature_domain<TriangleMesh>& mesh,
+                               const Holonomy_signature<TriangleMesh>& signature, Progress& progress)
 {
   std::vector<int> cones;
   for (const auto& [v, k] : signature.cones())
@@ -84,26 +101,29 @@ std::vector<int> split_targets(const Closed_mesh<TriangleMesh>& mesh, const Holo
 /// reduces with computed energies and writes the signature and the report; the signature stays what it was if `progress`
 /// is interrupted.
 template <typename TriangleMesh, typename ScaleEnergy>
-void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& energy, const std::vector<int>& vertices,
-                  const std::vector<std::vector<int>>& strips, const Cone_reduction_limits& limits, Progress& progress,
-                  Holonomy_signature<TriangleMesh>& signature, Cone_reduction_report<TriangleMesh>& report)
+void reduce_cones(const Signature_domain<TriangleMesh>& mesh, const ScaleEnergy& energy,
+                  const std::vector<int>& vertices, const std::vector<std::vector<int>>& strips,
+                  const Cone_reduction_limits& limits, Progress& progress, Holonomy_signature<TriangleMesh>& signature,
+                  Cone_reduction_report<TriangleMesh>& report)
 {
-  Cones_and_loops numbers;
+  Cones_and_strips numbers;
   for (const int v : vertices) {
     numbers.component.push_back(mesh.m_components.of_vertex[v]);
     numbers.quarter_turns.push_back(signature.quarter_turns(mesh.m_indexing.vertex(v)));
   }
   for (const auto& loop : signature.loops())
-    numbers.loop_quarter_turns.push_back(loop.quarter_turns);
+    numbers.strip_quarter_turns.push_back(loop.quarter_turns);
+  for (const auto& arc : signature.arcs())
+    numbers.strip_quarter_turns.push_back(arc.quarter_turns);
   Cone_paths paths(mesh.m_connectivity, mesh.m_geometry.m_edge_length, vertices, strips, progress);
   Cone_reduction<ScaleEnergy, Cone_paths> reduction(energy, paths, numbers, progress);
   report.number_of_cones_before = reduction.number_of_cones();
   report.energy_before = reduction.energy();
-  report.number_of_loop_turns = reduction.straighten_loops();
+  report.number_of_loop_turns = reduction.straighten_strips();
   report.number_of_splits = reduction.split();
   for (int turns = 1; turns > 0; report.number_of_loop_turns += turns) {
     reduction.reduce(limits);
-    turns = reduction.straighten_loops();
+    turns = reduction.straighten_strips();
     if (progress.is_interrupted())
       return;
   }
@@ -116,8 +136,11 @@ void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& ener
     report.status = Cone_reduction_status::LIMIT_UNREACHABLE;
   for (std::size_t i = 0; i < vertices.size(); ++i)
     signature.set_quarter_turns(mesh.m_indexing.vertex(vertices[i]), reduction.signature().quarter_turns[i]);
-  for (std::size_t l = 0; l < strips.size(); ++l)
-    signature.set_loop_quarter_turns(l, reduction.signature().loop_quarter_turns[l]);
+  const std::vector<int>& turns = reduction.signature().strip_quarter_turns;
+  for (std::size_t l = 0; l < signature.loops().size(); ++l)
+    signature.set_loop_quarter_turns(l, turns[l]);
+  for (std::size_t a = 0; a < signature.arcs().size(); ++a)
+    signature.set_arc_quarter_turns(a, turns[signature.loops().size() + a]);
 }
 
 } // namespace internal
@@ -127,8 +150,8 @@ void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& ener
 /// control points.
 ///
 /// A cone a is merged into a cone b of the same component by moving k_a - 4 quarter turns along a shortest path of
-/// edges: a becomes regular, k_b becomes k_b + k_a - 4, and the numbers of the loops that cross the path change as
-/// often. The signature stays admissible: it is that of a cross field which turns by as many quarter turns more across
+/// edges: a becomes regular, k_b becomes k_b + k_a - 4, and the numbers of the loops and arcs that cross the path change
+/// as often. Corners on the border stay what they are. The signature stays admissible: it is that of a cross field which turns by as many quarter turns more across
 /// the path. No field is needed.
 ///
 /// The merge that raises the energy least, or lowers it most, is always next. The energy is one half of the integral of
@@ -136,16 +159,16 @@ void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& ener
 /// linear approximation of conformal maps and with cones spread over small disks: how much the sizes of the map's
 /// elements differ. It is that of the rotation of the smoothest cross field with this signature, too (Crane, Desbrun,
 /// Schroeder, Trivial connections on discrete surfaces, 2010). All its changes come from Green's functions of the cones
-/// and 2g harmonic forms, which are computed once.
+/// and one harmonic form for each loop and arc, which are computed once.
 ///
-/// Before, what a field on a coarse mesh has got wrong is put right where that lowers the energy: numbers of loops change
-/// by quarter turns, and cones of fewer than three or more than six quarter turns get some from other vertices, or give
-/// some away. A box of twelve triangles has its cones at its corners, then. Loops are tried again after merges.
+/// Before, what a field on a coarse mesh has got wrong is put right where that lowers the energy: numbers of loops and
+/// arcs change by quarter turns, and cones of fewer than three or more than six quarter turns get some from other vertices, or give
+/// some away. A box of twelve triangles has its cones at its corners, then. Loops and arcs are tried again after merges.
 ///
 /// Merges leave numbers of three to six quarter turns. Only if the demanded number of cones cannot be reached so,
 /// others from two upwards are made, and if need be from one upwards.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param mesh a closed triangle mesh, of one or more components
+/// \param mesh a triangle mesh, of one or more components, with or without border
 /// \param signature an admissible signature of `mesh`; it is changed if the status is REDUCED or LIMIT_UNREACHABLE, and
 ///        stays what it was otherwise
 /// \param np an optional sequence of named parameters among these:
@@ -174,8 +197,9 @@ void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& ener
 ///     \cgalParamDescription{merges go on until at most so many cones are left in the whole mesh, whatever they cost}
 ///     \cgalParamType{`std::optional<int>`}
 ///     \cgalParamDefault{no limit}
-///     \cgalParamExtra{With `maximum_energy_change` they go on beyond that as long as they are cheap. A component of
-///       genus 0 needs three cones, one of genus 1 none, others one.}
+///     \cgalParamExtra{With `maximum_energy_change` they go on beyond that as long as they are cheap. A closed component
+///       of genus 0 needs three cones, one of genus 1 none, others one; one with a border needs none if its corners
+///       satisfy the theorem of Gauss and Bonnet, else one.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sparse_linear_solver}
 ///     \cgalParamDescription{the solver for the linear systems}
@@ -192,7 +216,7 @@ void reduce_cones(const Closed_mesh<TriangleMesh>& mesh, const ScaleEnergy& ener
 /// \return what was done. Equal input gives equal results.
 ///
 /// Complexity: with m cones, and if some are to be split up to 400 vertices more, a sparse factorization of one row per
-/// vertex and m + 2g + 1 solves, O(m^2) numbers of memory, O(m^2) per merge, and if g > 0 at most two searches of
+/// vertex and m + 2g + b solves with b closed curves of the border, O(m^2) numbers of memory, O(m^2) per merge, and if g > 0 at most two searches of
 /// shortest paths per cone. Where m^2 g exceeds some millions only the nearest cones are merged with each other, from at
 /// least eight per cone to all when few are left.
 template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -216,18 +240,19 @@ Cone_reduction_report<TriangleMesh> reduce_cones(const TriangleMesh& mesh, Holon
                                                     : Cone_reduction_status::INVALID_MESH;
     return report;
   }
-  const internal::Closed_mesh<TriangleMesh> closed_mesh(mesh, np);
+  const internal::Signature_domain<TriangleMesh> domain(mesh, np);
   std::vector<int> vertices;
   for (const auto& cone : signature.cones())
-    vertices.push_back(closed_mesh.m_indexing.vertex_index(cone.first));
-  for (const int v : internal::split_targets(closed_mesh, signature, progress))
+    vertices.push_back(domain.m_indexing.vertex_index(cone.first));
+  for (const int v : internal::split_targets(domain, signature, progress))
     vertices.push_back(v);
   std::sort(vertices.begin(), vertices.end()); // the order in which cones were set must not matter
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  const std::vector<std::vector<int>> strips = internal::strips_of(closed_mesh.m_indexing, signature);
+  const std::vector<std::vector<int>> strips = internal::strips_of(domain.m_indexing, signature);
   auto&& solver = internal::sparse_linear_solver(np);
   internal::Scale_energy<std::remove_reference_t<decltype(solver)>> energy(
-      closed_mesh.m_connectivity, closed_mesh.m_geometry, closed_mesh.m_components, strips, solver, progress);
+      domain.m_connectivity, domain.m_geometry, domain.m_components,
+      internal::defects_without_corners(domain, signature), strips, solver, progress);
   bool is_computed = false;
   {
     const internal::Progress::Part part(progress, 0.1, 0.5);
@@ -235,8 +260,8 @@ Cone_reduction_report<TriangleMesh> reduce_cones(const TriangleMesh& mesh, Holon
   }
   if (is_computed) {
     const internal::Progress::Part part(progress, 0.5, 1);
-    internal::reduce_cones(closed_mesh, energy, vertices, strips,
-                           internal::cone_reduction_limits(closed_mesh.m_components, np), progress, signature, report);
+    internal::reduce_cones(domain, energy, vertices, strips, internal::cone_reduction_limits(domain.m_components, np),
+                           progress, signature, report);
   }
   if (progress.is_interrupted())
     report.status = Cone_reduction_status::INTERRUPTED;

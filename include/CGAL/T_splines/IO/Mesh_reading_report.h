@@ -34,7 +34,7 @@ enum class Mesh_reading_status {
   NON_ORIENTABLE,           ///< the same, and no choice of orientations mends it
   NON_MANIFOLD_VERTEX,      ///< the faces at a vertex form more than one fan
   ISOLATED_VERTEX,          ///< a vertex belongs to no face
-  BOUNDARY,                 ///< an edge belongs to one face only
+  BOUNDARY,                 ///< an edge belongs to one face only, and must not or is part of a crack
   ZERO_LENGTH_EDGE,         ///< the two ends of an edge are the same point
   ZERO_AREA_TRIANGLE,       ///< the corners of a triangle are exactly collinear
   MISSING_UV,               ///< a corner of a face has no texture coordinates (maps only)
@@ -69,7 +69,7 @@ inline const char* message(const Mesh_reading_status status)
   case Mesh_reading_status::NON_ORIENTABLE: return "the surface is not orientable";
   case Mesh_reading_status::NON_MANIFOLD_VERTEX: return "a vertex is not manifold: its faces form more than one fan";
   case Mesh_reading_status::ISOLATED_VERTEX: return "a vertex is isolated: it belongs to no face";
-  case Mesh_reading_status::BOUNDARY: return "the surface has a boundary; only closed surfaces are supported";
+  case Mesh_reading_status::BOUNDARY: return "the surface is not closed";
   case Mesh_reading_status::ZERO_LENGTH_EDGE: return "an edge has length zero";
   case Mesh_reading_status::ZERO_AREA_TRIANGLE: return "a triangle has area zero: its corners are exactly collinear";
   case Mesh_reading_status::MISSING_UV: return "a corner has no texture coordinates";
@@ -118,11 +118,12 @@ struct Mesh_reading_report {
   Mesh_repairs repairs; ///< what a repair changed
   std::size_t number_of_trailing_bytes = 0; ///< binary STL: bytes behind the last facet, which were not read
 
+  std::size_t number_of_boundary_edges = 0, ///< with one face only, with the status SUCCESS or BOUNDARY
+      number_of_boundary_loops = 0;         ///< closed curves that these form
+
   // What the reader found out about a mesh that it refused.
-  std::size_t number_of_boundary_edges = 0, ///< with the status `BOUNDARY`
-      number_of_boundary_loops = 0;         ///< with the status `BOUNDARY`
-  std::optional<double> closing_distance;   ///< a `merge_distance` with which the mesh would have been accepted
-  bool is_repairable = false;               ///< it would have been accepted with `repair(true)`
+  std::optional<double> closing_distance; ///< a `merge_distance` with which the mesh would have been accepted
+  bool is_repairable = false;             ///< it would have been accepted with `repair(true)`
 
   /// returns whether `status` tells of success.
   bool success() const { return status == Mesh_reading_status::SUCCESS; }
@@ -221,13 +222,14 @@ inline std::string describe(const Mesh_reading_report& report)
     sentence += ": " + report.detail;
   if (!report.text.empty())
     sentence += (report.detail.empty() ? ": found \"" : ", found \"") + report.text + "\"";
-  if (report.number_of_boundary_edges > 0)
+  if (!report.success() && report.number_of_boundary_edges > 0)
     sentence += ": " + internal::boundary_of(report);
   return sentence;
 }
 
 /// \ingroup PkgTSplinesIO
-/// returns what the reader changed in a mesh that it accepted, as one sentence, or nothing if the mesh is as in the file.
+/// returns what the reader changed in a mesh that it accepted, and that it is open, as one sentence, or nothing if the mesh
+/// is closed and as in the file.
 inline std::string note(const Mesh_reading_report& report)
 {
   std::string sentence;
@@ -246,6 +248,8 @@ inline std::string note(const Mesh_reading_report& report)
   append(internal::repairs_of(report.repairs));
   if (report.number_of_trailing_bytes > 0)
     append(std::to_string(report.number_of_trailing_bytes) + " bytes behind the last facet were not read");
+  if (report.number_of_boundary_edges > 0)
+    append("the surface is open, with " + internal::boundary_of(report));
   return sentence;
 }
 

@@ -15,20 +15,21 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <optional>
 #include <string>
 
 namespace CGAL {
 namespace T_splines {
 
 /// \ingroup PkgTSplinesIO
-/// reads a closed oriented triangle mesh from an OFF, OBJ, PLY or STL file and refuses, naming line and element,
+/// reads an oriented triangle mesh from an OFF, OBJ, PLY or STL file and refuses, naming line and element,
 /// everything that the algorithms of this package cannot use.
 ///
 /// Vertices and faces of `mesh` come in the order of the file, so that files that refer to them by number (cones, fields) fit.
 /// That is why little is changed that was not asked for, and nothing in silence:
 /// - Refused: what `Mesh_reading_status` lists. The report says whether `repair(true)` or a larger `merge_distance` would
 ///   help: both have been tried.
-/// - Accepted: several components; texture coordinates, normals, colours and other data, which are not read; an inside-out
+/// - Accepted: borders, but for cracks (see `border_is_allowed`); several components; texture coordinates, normals, colours and other data, which are not read; an inside-out
 ///   orientation.
 /// - Changed, and said by `note()`: faces with more than three corners are triangulated (their triangles follow each other, in place of
 ///   the face), quadrilaterals by the better diagonal; the corners of STL facets become one vertex where their coordinates are identical;
@@ -74,6 +75,12 @@ namespace T_splines {
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{border_is_allowed}
+///     \cgalParamDescription{whether the surface may have a border}
+///     \cgalParamType{`std::optional<bool>`, or `bool`}
+///     \cgalParamDefault{nothing: it may, but not where merging up to 1e-3 would close it altogether}
+///     \cgalParamExtra{Such cracks are hardly ever meant: the report says which `merge_distance` closes them.}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{what hears of the progress and may stop the work}
 ///     \cgalParamType{a model of `ProgressVisitor`, copied}
@@ -99,6 +106,10 @@ Mesh_reading_report read_triangle_mesh(const std::string& filename, MutableFaceG
   internal::Mesh_reading_options options;
   options.merge_distance = choose_parameter(get_parameter(np, np_tags::merge_distance), default_merge_distance);
   options.is_repaired = choose_parameter(get_parameter(np, np_tags::repair), false);
+  const std::optional<bool> border_is_allowed =
+      choose_parameter(get_parameter(np, np_tags::border_is_allowed), std::optional<bool>());
+  options.is_boundary_admitted = border_is_allowed.value_or(true);
+  options.are_cracks_admitted = border_is_allowed.has_value();
   const auto visitor = internal::progress_visitor(np);
   internal::Progress progress(visitor);
   progress.begin_stage("reading");

@@ -46,7 +46,7 @@ inline const char* message(const Similarity_map_status status)
 {
   switch (status) {
   case Similarity_map_status::CONVERGED: return "converged";
-  case Similarity_map_status::INVALID_MESH: return "the mesh is not a closed triangle mesh with positive areas";
+  case Similarity_map_status::INVALID_MESH: return "the mesh is not a triangle mesh with positive areas";
   case Similarity_map_status::INVALID_SIGNATURE: return "the holonomy signature is not admissible on this mesh";
   case Similarity_map_status::STALLED: return "the iteration stalled: no step reduces the residual any more";
   case Similarity_map_status::ITERATION_LIMIT: return "the iteration limit was reached";
@@ -71,14 +71,14 @@ struct Similarity_map_report {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor; ///< a vertex of the mesh
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;     ///< a face of the mesh
 
-  /// `loop` when no loop is meant.
+  /// `loop` or `arc` when none is meant.
   static constexpr std::size_t no_loop = static_cast<std::size_t>(-1);
 
   Similarity_map_status status = Similarity_map_status::STALLED; ///< how it ended
 
   Holonomy_signature_report<TriangleMesh> signature; ///< the check of the input
 
-  double residual = 0;                  ///< largest deviation (radians) from the signature over all vertices and loops
+  double residual = 0; ///< largest deviation (radians) from the signature over all vertices, loops and arcs
   std::vector<double> residual_history; ///< the residual before the first iteration and after each
   int iterations = 0;                   ///< accepted Newton steps
   int halvings = 0;                     ///< rejected trial steps
@@ -91,6 +91,7 @@ struct Similarity_map_report {
   vertex_descriptor vertex =
       boost::graph_traits<TriangleMesh>::null_vertex(); ///< where the residual is largest, if at a vertex
   std::size_t loop = no_loop;                           ///< where the residual is largest, if at a loop
+  std::size_t arc = no_loop;                            ///< where the residual is largest, if at an arc
   face_descriptor face = boost::graph_traits<TriangleMesh>::
       null_face(); ///< LAYOUT_FAILED: the input face that contains a triangle which is not positively oriented
   /// If the residual stayed large: the logarithm of the scale factor along that one of the scanned short loops that is
@@ -152,16 +153,19 @@ std::string failed_iteration_in_words(const Similarity_map_report<TriangleMesh>&
 {
   using Traits = boost::graph_traits<TriangleMesh>;
   const bool has_vertex = report.vertex != Traits::null_vertex(), has_face = report.face != Traits::null_face(),
-             has_loop = report.loop != Similarity_map_report<TriangleMesh>::no_loop;
+             has_loop = report.loop != Similarity_map_report<TriangleMesh>::no_loop,
+             has_arc = report.arc != Similarity_map_report<TriangleMesh>::no_loop;
   std::ostringstream text;
   text << message(report.status) << " (residual " << report.residual << " after " << report.iterations << " iterations";
   if (has_vertex)
     text << ", " << vertex_in_words(report.vertex, mesh);
   if (has_loop)
     text << ", loop " << report.loop;
+  if (has_arc)
+    text << ", arc " << report.arc;
   if (has_face)
     text << ", " << face_in_words(report.face, mesh);
-  text << (has_vertex || has_loop || has_face ? ", counted from 0)" : ")");
+  text << (has_vertex || has_loop || has_arc || has_face ? ", counted from 0)" : ")");
   if (report.hyperbolic_length > 0)
     text << "; the short loop closest to its limit has a scale factor of exp(" << report.scale_period
          << "), and the absolute value of the exponent must stay below " << report.hyperbolic_length;

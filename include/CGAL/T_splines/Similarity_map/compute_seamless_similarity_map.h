@@ -18,7 +18,7 @@ namespace CGAL {
 namespace T_splines {
 
 /// \ingroup PkgTSplinesSimilarityMap
-/// computes a seamless similarity map of a closed triangle mesh with a prescribed holonomy signature ([CZ17] sections
+/// computes a seamless similarity map of a triangle mesh with a prescribed holonomy signature ([CZ17] sections
 /// 2.1, 6, 7).
 ///
 /// The map is discretely conformal, piecewise linear on a refinement of the mesh, and locally injective: each triangle
@@ -29,7 +29,7 @@ namespace T_splines {
 /// \tparam RefinedMesh a model of `MutableFaceGraph`
 /// \tparam HalfedgeUVMap a model of `WritablePropertyMap` with halfedges of `RefinedMesh` as keys and a `Point_2` as
 ///   value
-/// \param mesh a closed triangle mesh, of one or more components
+/// \param mesh a triangle mesh, of one or more components
 /// \param signature an admissible signature of `mesh`
 /// \param refined the refinement; its vertices are those of `mesh`, in their order and with their points, and then
 ///        those added. It must be empty, which is checked, and is written only if the status is CONVERGED

@@ -14,14 +14,15 @@ namespace CGAL {
 namespace T_splines {
 
 /// \ingroup PkgTSplinesSimilarityMap
-/// computes the flat metric with cones that is discretely conformal to a closed triangle mesh and has a prescribed
+/// computes the flat metric with cones that is discretely conformal to a triangle mesh and has a prescribed
 /// holonomy signature, without laying it out: the angle at each vertex is k_v pi/2, the turning of each loop k pi/2.
 ///
 /// The method is Newton's on a convex energy, on an intrinsic triangulation that is flipped as the metric moves ([CZ17]
 /// section 7, with the symmetric form of eq. (6), (7) and, by default, ideal Delaunay flips).
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam FT a floating-point type into which the computation's numbers are converted
-/// \param mesh a closed triangle mesh, of one or more components
+/// \param mesh a triangle mesh, of one or more components. Of a mesh with border, the metric is that of its double: two
+///        copies of `mesh`, sewn together along the border
 /// \param signature an admissible signature of `mesh`
 /// \param metric the result; written only if the status is CONVERGED
 /// \param np an optional sequence of named parameters among these:

@@ -84,6 +84,8 @@ struct Adaptive_fit_report {
   std::size_t limit = 0;                                              ///< of the number of control points
   bool is_limit_default = false;                                      ///< whether nobody asked for that limit
   T_spline_fit_report<Graph> fit;                                     ///< INADMISSIBLE, FIT_FAILED: why
+  /// NOT_SPLINE_COMPATIBLE: which condition could not be met.
+  Spline_compatibility_status incompatibility = Spline_compatibility_status::SPLINE_COMPATIBLE;
   /// Of the surface that was written, as `measure_T_spline_deviation()` finds it, with the tolerance as a length.
   T_spline_deviation_report<SplineGraph, TriangleMesh> deviation;
   /// Of the surface that was written, as `check_T_spline_self_intersections()` finds them.
@@ -134,6 +136,8 @@ std::string describe(const Adaptive_fit_report<Graph, SplineGraph, TriangleMesh>
   switch (report.status) {
   case Status::INADMISSIBLE: return describe(report.fit.surface.compatibility, graph);
   case Status::FIT_FAILED: return describe(report.fit, graph);
+  case Status::NOT_SPLINE_COMPATIBLE:
+    return message(report.status) + std::string(": ") + message(report.incompatibility);
   case Status::NOT_MEASURABLE: return message(report.status) + std::string(": ") + message(report.deviation.status);
   case Status::LIMIT_TOO_LOW:
     return message(report.status) + (": " + std::to_string(report.levels.front().number_of_control_points) + ", " +

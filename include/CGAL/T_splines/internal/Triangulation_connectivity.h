@@ -37,8 +37,26 @@ struct Triangulation_connectivity {
   Index face(const Index h) const { return m_face[h]; }
   Index halfedge_of_face(const Index f) const { return m_face_halfedge[f]; }
 
-  /// The next halfedge with the same source, counter-clockwise.
+  /// The next halfedge with the same source, counter-clockwise. \pre `h` has a face.
   Index next_around_source(const Index h) const { return opposite(previous(h)); }
+
+  /// calls `function(g)` for each halfedge with the source of `h`, which may be on the border: for `h` and what follows
+  /// counter-clockwise, and for what is clockwise of `h` up to a border.
+  template <typename Function>
+  void for_each_around_source(const Index h, const Function& function) const
+  {
+    Index g = h;
+    for (;;) {
+      function(g);
+      if (face(g) == null)
+        break;
+      g = next_around_source(g);
+      if (g == h)
+        return;
+    }
+    for (g = opposite(h); face(g) != null; g = opposite(next(g)))
+      function(next(g));
+  }
 
   Index number_of_vertices() const { return m_number_of_vertices; }
   Index number_of_halfedges() const { return static_cast<Index>(m_next.size()); }

@@ -20,12 +20,33 @@ struct Mesh_components {
   std::vector<int> of_vertex;            ///< `Triangulation_connectivity::null` for isolated vertices
   std::vector<int> first_face;           ///< per component: its face of smallest index
   std::vector<int> euler_characteristic; ///< per component: V - E + F
+  std::vector<int> number_of_borders;    ///< per component: closed curves of its border
 
   int size() const { return static_cast<int>(first_face.size()); }
 
-  /// The genus of component `c`. \pre The component has no border.
-  int genus(const int c) const { return (2 - euler_characteristic[c]) / 2; }
+  /// The genus of component `c`, whose border counts as closed by disks.
+  int genus(const int c) const { return (2 - number_of_borders[c] - euler_characteristic[c]) / 2; }
+
+  bool has_border(const int c) const { return number_of_borders[c] > 0; }
 };
+
+/// The closed curves of the border, each as the sequence of its halfedges without face, in the order in which `m_next`
+/// runs through them. Complexity: linear.
+inline std::vector<std::vector<int>> border_curves(const Triangulation_connectivity& mesh)
+{
+  std::vector<std::vector<int>> result;
+  std::vector<char> is_done(mesh.number_of_halfedges(), 0);
+  for (int first = 0; first < mesh.number_of_halfedges(); ++first) {
+    if (mesh.face(first) != Triangulation_connectivity::null || is_done[first])
+      continue;
+    result.emplace_back();
+    for (int h = first; !is_done[h]; h = mesh.next(h)) {
+      is_done[h] = 1;
+      result.back().push_back(h);
+    }
+  }
+  return result;
+}
 
 /// finds the connected components. Faces are connected across edges. Complexity: linear.
 inline Mesh_components mesh_components(const Triangulation_connectivity& mesh)
@@ -64,6 +85,9 @@ inline Mesh_components mesh_components(const Triangulation_connectivity& mesh)
     const int number_of_edges = (3 * number_of_faces + number_of_border_edges) / 2;
     result.euler_characteristic.push_back(number_of_vertices - number_of_edges + number_of_faces);
   }
+  result.number_of_borders.assign(result.size(), 0);
+  for (const std::vector<int>& curve : border_curves(mesh))
+    ++result.number_of_borders[result.of_vertex[mesh.target(curve.front())]];
   return result;
 }
 

@@ -10,6 +10,8 @@
 CGAL_T_SPLINES_NAMED_PARAMETER(loop_turning_numbers)
 CGAL_T_SPLINES_NAMED_PARAMETER(curvature_alignment)
 CGAL_T_SPLINES_NAMED_PARAMETER(border_is_allowed)
+CGAL_T_SPLINES_NAMED_PARAMETER(corners)
+CGAL_T_SPLINES_NAMED_PARAMETER(corner_angle)
 CGAL_T_SPLINES_NAMED_PARAMETER(halfedge_matching_map)
 CGAL_T_SPLINES_NAMED_PARAMETER(maximum_energy_change)
 CGAL_T_SPLINES_NAMED_PARAMETER(maximum_number_of_cones)

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// How often shortest paths of edges from cone to cone cross loops. Searches are only made when a path is asked for: the
+/// How often shortest paths of edges from cone to cone cross strips. Searches are only made when a path is asked for: the
 /// first one from a cone goes as far as it has to, the second one everywhere. Between two cones there is one path,
 /// whichever way it is asked for.
 class Cone_paths {
@@ -30,12 +30,12 @@ class Cone_paths {
 
 public:
   /// \param vertices per cone
-  /// \param strips the loops
+  /// \param strips the strips
   /// \param progress asked by all searches; it must outlive this. If it is interrupted, what is found means nothing
   Cone_paths(const Triangulation_connectivity& mesh, const std::vector<double>& edge_length,
              const std::vector<int>& vertices, const std::vector<std::vector<int>>& strips, Progress& progress)
     : m_vertices(vertices),
-      m_number_of_loops(strips.size()),
+      m_number_of_strips(strips.size()),
       m_distances(mesh, edge_length),
       m_cone_of_vertex(mesh.number_of_vertices(), null),
       m_number_of_searches(vertices.size(), 0),
@@ -48,11 +48,11 @@ public:
         m_passages[edge_of(h)].emplace_back(static_cast<int>(l), is_along_edge(h) ? 1 : -1);
   }
 
-  /// For each loop, how often it enters faces by halfedges of the path, minus how often by their opposites.
-  /// \pre The cones belong to the same component, are not forgotten, and there are loops.
+  /// For each strip, how often it enters faces by halfedges of the path, minus how often by their opposites.
+  /// \pre The cones belong to the same component, are not forgotten, and there are strips.
   std::vector<int> crossings(const int from, const int to)
   {
-    CGAL_precondition(m_number_of_loops > 0);
+    CGAL_precondition(m_number_of_strips > 0);
     if (from > to) {
       std::vector<int> result = crossings(to, from);
       for (int& number : result)
@@ -68,7 +68,7 @@ public:
       });
       known = m_known.find({from, to});
       if (known == m_known.end()) // interrupted
-        return std::vector<int>(m_number_of_loops, 0);
+        return std::vector<int>(m_number_of_strips, 0);
     }
     return known->second;
   }
@@ -108,24 +108,25 @@ private:
     std::vector<int>& crossings = m_known[std::minmax(from, cone)];
     if (!crossings.empty())
       return;
-    crossings.assign(m_number_of_loops, 0);
+    crossings.assign(m_number_of_strips, 0);
     const int direction = from < cone ? 1 : -1;
     for (const int h : m_distances.path_to(v)) {
       const auto passages = m_passages.find(edge_of(h));
       if (passages == m_passages.end())
         continue;
-      for (const auto& [loop, sign] : passages->second)
-        crossings[loop] += is_along_edge(h) ? direction * sign : -direction * sign;
+      for (const auto& [strip, sign] : passages->second)
+        crossings[strip] += is_along_edge(h) ? direction * sign : -direction * sign;
     }
   }
 
   const std::vector<int>& m_vertices;
-  std::size_t m_number_of_loops;
+  std::size_t m_number_of_strips;
   Edge_distances m_distances;
   std::vector<int> m_cone_of_vertex;
-  std::unordered_map<int, std::vector<std::pair<int, int>>> m_passages; // per edge: the loops through its even halfedge
-  std::vector<int> m_number_of_searches;                                // per cone: that went as far as they had to
-  std::map<std::pair<int, int>, std::vector<int>> m_known;              // per pair of cones, the smaller index first
+  std::unordered_map<int, std::vector<std::pair<int, int>>>
+      m_passages;                                          // per edge: the strips through its even halfedge
+  std::vector<int> m_number_of_searches;                   // per cone: that went as far as they had to
+  std::map<std::pair<int, int>, std::vector<int>> m_known; // per pair of cones, the smaller index first
   Progress& m_progress;
 };
 

@@ -40,19 +40,19 @@ struct Cone_move {
   bool is_null() const { return from < 0; }
 };
 
-/// What a signature tells, on cones and loops with indices.
-struct Cones_and_loops {
-  std::vector<int> component;          ///< per cone
-  std::vector<int> quarter_turns;      ///< per cone
-  std::vector<int> loop_quarter_turns; ///< per loop
+/// What a signature tells, on cones and strips with indices.
+struct Cones_and_strips {
+  std::vector<int> component;           ///< per cone
+  std::vector<int> quarter_turns;       ///< per cone
+  std::vector<int> strip_quarter_turns; ///< per strip
 };
 
-/// The greedy merging of cones, on numbers alone: where cones and loops lie is in the energies and paths.
+/// The greedy merging of cones, on numbers alone: where cones and strips lie is in the energies and paths.
 ///
 /// A cone a merged into a cone b becomes regular, and k_b becomes k_b + k_a - 4: the curvature t = (k_b' - k_b) pi/2
 /// goes from b to a. With the Green's function G and the mean u of the logarithmic scale factor over the disk of each
 /// cone, the first part of `Scale_energy` changes by t (u_a - u_b) + t^2/2 (G_aa - 2 G_ab + G_bb), and u by t (G_a -
-/// G_b): no system has to be solved. The second part, of the loops, is 1/2 |y|^2 for a vector y that changes by t d,
+/// G_b): no system has to be solved. The second part, of the strips, is 1/2 |y|^2 for a vector y that changes by t d,
 /// where d depends on the path from a to b. It cannot decrease by more than itself: paths of merges whose first part is
 /// too large for that are not needed.
 ///
@@ -66,13 +66,13 @@ class Cone_reduction {
 
 public:
   /// \param progress if it is interrupted, all operations end soon, and the signature means nothing any more
-  Cone_reduction(const ScaleEnergy& energy, Paths& paths, const Cones_and_loops& signature, Progress& progress)
+  Cone_reduction(const ScaleEnergy& energy, Paths& paths, const Cones_and_strips& signature, Progress& progress)
     : m_energy(energy),
       m_paths(paths),
       m_progress(progress),
       m_signature(signature),
       m_potential(signature.quarter_turns.size()),
-      m_period(signature.loop_quarter_turns.size())
+      m_period(signature.strip_quarter_turns.size())
   {
     const int n = static_cast<int>(m_potential.size());
     m_total = energy.defect_energy();
@@ -85,18 +85,18 @@ public:
         m_cones.push_back(i);
     }
     m_partners.resize(n);
-    for (int l = 0; l < energy.number_of_loops(); ++l) {
-      m_period[l] = signature.loop_quarter_turns[l] * quarter_turn + energy.loop_residual(l);
+    for (int l = 0; l < energy.number_of_strips(); ++l) {
+      m_period[l] = signature.strip_quarter_turns[l] * quarter_turn + energy.strip_residual(l);
       for (int i = 0; i < n; ++i)
-        m_period[l] += curvature(i) * energy.loop_potential(l, i);
+        m_period[l] += curvature(i) * energy.strip_potential(l, i);
     }
     energy.to_orthonormal(m_period);
-    m_total += loop_energy();
+    m_total += strip_energy();
   }
 
-  /// changes the numbers of loops by quarter turns, as long as each lowers the energy.
-  /// \return how many. Complexity: with l loops, O(l^3), and O(l^2) per quarter turn.
-  int straighten_loops()
+  /// changes the numbers of strips by quarter turns, as long as each lowers the energy.
+  /// \return how many. Complexity: with l strips, O(l^3), and O(l^2) per quarter turn.
+  int straighten_strips()
   {
     const std::size_t n = m_period.size();
     std::vector<std::vector<double>> columns(n, std::vector<double>(n, 0.)); // what a quarter turn adds to y
@@ -122,7 +122,7 @@ public:
         return number;
       for (std::size_t i = 0; i < n; ++i)
         m_period[i] += turns * columns[best][i];
-      m_signature.loop_quarter_turns[best] += turns;
+      m_signature.strip_quarter_turns[best] += turns;
       m_total += least;
     }
   }
@@ -173,7 +173,7 @@ public:
 
   double energy() const { return m_total; }
   int number_of_cones() const { return static_cast<int>(m_cones.size()); }
-  const Cones_and_loops& signature() const { return m_signature; }
+  const Cones_and_strips& signature() const { return m_signature; }
   const std::vector<Cone_move>& merges() const { return m_merges; } ///< in this order
 
 private:
@@ -224,7 +224,7 @@ private:
 
   double curvature(const int i) const { return (regular - m_signature.quarter_turns[i]) * quarter_turn; }
 
-  double loop_energy() const
+  double strip_energy() const
   {
     return 0.5 * std::inner_product(m_period.begin(), m_period.end(), m_period.begin(), 0.);
   }
@@ -251,7 +251,7 @@ private:
       const std::vector<int> crossings = m_paths.crossings(from, to);
       direction.change.resize(m_period.size());
       for (int l = 0; l < static_cast<int>(m_period.size()); ++l)
-        direction.change[l] = m_energy.loop_potential(l, from) - m_energy.loop_potential(l, to) - crossings[l];
+        direction.change[l] = m_energy.strip_potential(l, from) - m_energy.strip_potential(l, to) - crossings[l];
       m_energy.to_orthonormal(direction.change);
       direction.length = std::sqrt(scalar_product(direction.change, direction.change));
     }
@@ -269,7 +269,7 @@ private:
     return (move.from < move.to ? move.quarter_turns : -move.quarter_turns) * quarter_turn;
   }
 
-  double loop_energy_change(const Cone_move& move)
+  double strip_energy_change(const Cone_move& move)
   {
     if (m_period.empty())
       return 0;
@@ -279,7 +279,7 @@ private:
   }
 
   // A lower bound of the same, which does not need paths that are not known. \param length |y|
-  double least_loop_energy_change(const Cone_move& move, const double length) const
+  double least_strip_energy_change(const Cone_move& move, const double length) const
   {
     const auto known = m_directions.find(std::minmax(move.from, move.to));
     if (known == m_directions.end())
@@ -301,7 +301,7 @@ private:
   Cone_move cheapest_move(const Turns& turns)
   {
     m_candidates.clear();
-    const double length = std::sqrt(2 * loop_energy());
+    const double length = std::sqrt(2 * strip_energy());
     for (const int a : m_cones) {
       const std::vector<int>& others = m_pairs_are_all ? m_cones : m_partners[a];
       for (const int b : others)
@@ -317,7 +317,7 @@ private:
   {
     const auto is_usual = [](const int k) { return usual_range.first <= k && k <= usual_range.second; };
     m_candidates.clear();
-    const double length = std::sqrt(2 * loop_energy());
+    const double length = std::sqrt(2 * strip_energy());
     for (const int a : m_cones) {
       if (is_usual(m_signature.quarter_turns[a]))
         continue;
@@ -344,7 +344,7 @@ private:
     Cone_move move{a, b, turns(a, b), 0.};
     if (move.quarter_turns == 0)
       return;
-    move.energy_change = cone_energy_change(move) + least_loop_energy_change(move, length);
+    move.energy_change = cone_energy_change(move) + least_strip_energy_change(move, length);
     m_candidates.push_back(move);
   }
 
@@ -361,7 +361,7 @@ private:
         return Cone_move();
       Cone_move move = m_candidates.back();
       m_candidates.pop_back();
-      move.energy_change = cone_energy_change(move) + loop_energy_change(move);
+      move.energy_change = cone_energy_change(move) + strip_energy_change(move);
       if (cheapest.is_null() || is_later(cheapest, move))
         cheapest = move;
     }
@@ -420,7 +420,7 @@ private:
       const std::vector<int> crossings = m_paths.crossings(move.from, move.to);
       for (std::size_t l = 0; l < m_period.size(); ++l) {
         m_period[l] += directed_curvature(move) * d.change[l];
-        m_signature.loop_quarter_turns[l] -= move.quarter_turns * crossings[l];
+        m_signature.strip_quarter_turns[l] -= move.quarter_turns * crossings[l];
       }
     }
     m_signature.quarter_turns[move.from] -= move.quarter_turns;
@@ -438,9 +438,9 @@ private:
   const ScaleEnergy& m_energy;
   Paths& m_paths;
   Progress& m_progress;
-  Cones_and_loops m_signature;
+  Cones_and_strips m_signature;
   std::vector<double> m_potential; // per cone: u
-  std::vector<double> m_period;    // per loop: y
+  std::vector<double> m_period;    // per strip: y
   std::map<std::pair<int, int>, Direction> m_directions;
   std::vector<std::vector<int>> m_partners; // per cone, unless all pairs are tried
   int m_number_of_partners = 0;

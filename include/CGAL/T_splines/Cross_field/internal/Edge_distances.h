@@ -18,7 +18,7 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// Shortest paths of edges on a closed triangulation, by Dijkstra's algorithm; one search after the other, each of
+/// Shortest paths of edges on a triangulation, by Dijkstra's algorithm; one search after the other, each of
 /// which costs as much as the part of the mesh that it reaches.
 class Edge_distances {
   static constexpr int null = Triangulation_connectivity::null;
@@ -55,10 +55,9 @@ public:
         continue;
       if (!go_on(v, distance))
         return;
-      int h = m_outgoing[v];
-      do {
+      m_mesh.for_each_around_source(m_outgoing[v], [&, here = distance](const int h) {
         const int w = m_mesh.target(h);
-        const double via_v = distance + m_length[edge_of(h)];
+        const double via_v = here + m_length[edge_of(h)];
         if (via_v < m_distance[w]) {
           if (m_distance[w] == std::numeric_limits<double>::infinity())
             m_reached.push_back(w);
@@ -66,8 +65,7 @@ public:
           m_entry[w] = h;
           queue.emplace(via_v, w);
         }
-        h = m_mesh.next_around_source(h);
-      } while (h != m_outgoing[v]);
+      });
     }
   }
 

@@ -21,7 +21,8 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// The cotangent Laplacian L of the intrinsic Delaunay triangulation of a closed surface, and closed 1-forms on it.
+/// The cotangent Laplacian L of the intrinsic Delaunay triangulation of a surface, and closed 1-forms on it. On a border
+/// it has the natural conditions: no flow leaves the surface.
 ///
 /// A 1-form has one value per edge, that of the even halfedge; the odd one has the negative value.
 class Intrinsic_laplacian {
@@ -30,7 +31,7 @@ class Intrinsic_laplacian {
 public:
   using Sparse_form = std::vector<std::pair<int, double>>; ///< edges and values
 
-  /// \param strips closed strips of triangles on `mesh`, whose crossing forms are carried over to the Delaunay triangulation
+  /// \param strips strips of triangles on `mesh`, closed or from border to border, whose crossing forms are carried over to the Delaunay triangulation
   /// \param progress if it is interrupted, the triangulation need not be Delaunay
   Intrinsic_laplacian(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry,
                       const Mesh_components& components, const std::vector<std::vector<int>>& strips,
@@ -58,9 +59,11 @@ public:
     // Not negative but for round-off; zeros might tear vertices off.
     constexpr double least_weight = 1e-10;
     for (int e = 0; e < mesh.number_of_edges(); ++e) {
-      const auto [h, g] = halfedges_of_edge(e);
-      m_weight.push_back(
-          (std::max)(0.5 * (m_surface.cotangent_opposite(h) + m_surface.cotangent_opposite(g)), least_weight));
+      double weight = 0;
+      for (const int h : halfedges_of_edge(e))
+        if (m_surface.m_mesh.face(h) != null)
+          weight += 0.5 * m_surface.cotangent_opposite(h);
+      m_weight.push_back((std::max)(weight, least_weight));
     }
     for (const int f : components.first_face)
       m_row[mesh.target(mesh.halfedge_of_face(f))] = null;

@@ -27,8 +27,9 @@ namespace internal {
 /// Makes the quarter turns around vertices positive: a seamless map needs at least one.
 ///
 /// At a sharp spike the smoothest cross does not turn at all; around marked edges it may turn backwards. A quarter turn
-/// is carried to such a vertex from the nearest one that has two or more, across the edges of a path: by the theorem of
-/// Gauss and Bonnet the mean number of a closed surface exceeds one, so there always is such a vertex. The crosses
+/// is carried to such a vertex from the nearest inner one that has two or more, across the edges of a path: by the theorem
+/// of Gauss and Bonnet the mean number of a closed surface exceeds one, so there always is such a vertex; on a surface with
+/// border there may be none. The crosses
 /// around the path are then made smooth, by the least squares of their rotations, in a patch that grows until each
 /// rotation is the closest one, less than an eighth of a turn. Crosses that are fixed stay as they are if they leave room
 /// for that.
@@ -51,7 +52,8 @@ public:
       m_unknown(mesh.number_of_faces(), null),
       m_marked(mesh.number_of_vertices(), 0)
   {
-    const std::vector<double> turns = vertex_quarter_turns(mesh, geometry.m_corner_angle, m_rotation);
+    const std::vector<double> of_no_matter(mesh.number_of_edges(), 0.); // what the border adds at its vertices
+    const std::vector<double> turns = vertex_quarter_turns(mesh, geometry.m_corner_angle, m_rotation, of_no_matter);
     for (int v = 0; v < mesh.number_of_vertices(); ++v)
       m_turns[v] = static_cast<int>(std::lround(turns[v]));
     for (int h = 0; h < mesh.number_of_halfedges(); ++h)
@@ -88,30 +90,14 @@ private:
   double rotation(const int h) const { return rotation_into(m_rotation, h); }
   void add_rotation(const int h, const double change) { m_rotation[edge_of(h)] += is_along_edge(h) ? change : -change; }
 
-  // Calls `function(h)` for the halfedges out of `v`; `v` may lie on the border.
-  template <typename Function>
-  void for_each_outgoing(const int v, const Function& function) const
-  {
-    int h = m_outgoing[v];
-    for (;;) {
-      function(h);
-      if (m_mesh.face(h) == null)
-        break;
-      h = m_mesh.next_around_source(h);
-      if (h == m_outgoing[v])
-        return;
-    }
-    for (h = opposite(m_outgoing[v]); m_mesh.face(h) != null; h = opposite(m_mesh.next(h)))
-      function(m_mesh.next(h));
-  }
-
   // What is left of the turns of `v` if every tie around it is broken the wrong way.
   int turns_after_ties(const int v) const
   {
     if (m_turns[v] == on_border)
       return on_border;
     int turns = m_turns[v];
-    for_each_outgoing(v, [&](const int h) { turns -= rotation(h) < tie_margin - largest_rotation ? 1 : 0; });
+    m_mesh.for_each_around_source(m_outgoing[v],
+                                  [&](const int h) { turns -= rotation(h) < tie_margin - largest_rotation ? 1 : 0; });
     return turns;
   }
 
@@ -127,20 +113,19 @@ private:
     m_marked[v] = m_mark;
     std::size_t best = 0;
     for (std::size_t i = 0; i < reached.size() && (best == 0 || reached[i].distance < reached[best].distance); ++i) {
-      for_each_outgoing(reached[i].vertex, [&](const int h) {
+      m_mesh.for_each_around_source(m_outgoing[reached[i].vertex], [&](const int h) {
         const int w = m_mesh.target(h);
         if (m_marked[w] == m_mark || !is_free_to_turn(h))
           return;
         m_marked[w] = m_mark;
         reached.push_back({w, h, static_cast<int>(i), reached[i].distance + 1});
-        if (m_turns[w] > 1 && (best == 0 || m_turns[w] > m_turns[reached[best].vertex]))
+        if (m_turns[w] != on_border && m_turns[w] > 1 && (best == 0 || m_turns[w] > m_turns[reached[best].vertex]))
           best = reached.size() - 1;
       });
     }
     if (best == 0)
       return false;
-    if (m_turns[reached[best].vertex] != on_border)
-      --m_turns[reached[best].vertex];
+    --m_turns[reached[best].vertex];
     ++m_turns[v];
     for (int i = static_cast<int>(best); i != 0; i = reached[i].parent) {
       around.push_back(reached[i].vertex);
@@ -182,7 +167,7 @@ private:
       while (first_of_layer < vertices.size() && vertices.size() < 2 * number_of_released) {
         const std::size_t end_of_layer = vertices.size();
         for (; first_of_layer < end_of_layer; ++first_of_layer)
-          for_each_outgoing(vertices[first_of_layer], [&](const int h) {
+          m_mesh.for_each_around_source(m_outgoing[vertices[first_of_layer]], [&](const int h) {
             if (m_marked[m_mesh.target(h)] == m_mark)
               return;
             m_marked[m_mesh.target(h)] = m_mark;
@@ -200,7 +185,7 @@ private:
   {
     std::vector<int> faces;
     for (std::size_t i = 0; i < vertices.size(); ++i)
-      for_each_outgoing(vertices[i], [&](const int h) {
+      m_mesh.for_each_around_source(m_outgoing[vertices[i]], [&](const int h) {
         const int f = m_mesh.face(h);
         if (f != null && (!m_is_face_fixed[f] || i < number_of_released))
           faces.push_back(f);

@@ -25,12 +25,16 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// The angle defect of each vertex, 2 pi minus the sum of the angles around it.
+/// The angle defect of each vertex: 2 pi, or pi on the border, minus the sum of its angles.
 inline std::vector<double> angle_defects(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry)
 {
   std::vector<double> defect(mesh.number_of_vertices(), 2 * CGAL_PI);
-  for (int h = 0; h < mesh.number_of_halfedges(); ++h)
-    defect[mesh.target(h)] -= geometry.m_corner_angle[h];
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h) {
+    if (mesh.face(h) == Triangulation_connectivity::null)
+      defect[mesh.target(h)] -= CGAL_PI;
+    else
+      defect[mesh.target(h)] -= geometry.m_corner_angle[h];
+  }
   return defect;
 }
 
@@ -68,9 +72,10 @@ inline bool cholesky(std::vector<std::vector<double>>& w)
 /// approximation of conformal maps: the energy E = 1/2 <xi, xi> of the closed 1-form xi that is the differential of the
 /// logarithm of the scale.
 ///
-/// With L the cotangent Laplacian, K the angle defects, q the curvatures of the cones and s_i what is missing to the
-/// turning of loop i, xi is du plus a harmonic form, where L u = q - K. With the harmonic forms omega_i = eta_i + d
-/// psi_i cohomologous to the crossing forms eta_i of the loops, <omega_i, xi> = z_i = s_i + psi_i (q - K). So
+/// With L the cotangent Laplacian, K the angle defects less the curvatures of the corners, q the curvatures of the cones
+/// and s_i what is missing to the turning of strip i, xi is du plus a harmonic form, where L u = q - K; on the border
+/// these are the natural conditions: nothing but the turning of the border is prescribed. With the harmonic forms omega_i = eta_i + d
+/// psi_i cohomologous to the crossing forms eta_i of the strips, <omega_i, xi> = z_i = s_i + psi_i (q - K). So
 ///   E = 1/2 (q - K)^T L^+ (q - K) + 1/2 z^T W^-1 z, W_ij = <omega_i, omega_j>.
 /// Angles are all that it depends on, not the size of the surface.
 ///
@@ -83,11 +88,12 @@ class Scale_energy {
   static constexpr int null = Triangulation_connectivity::null;
 
 public:
-  /// \param strips 2g independent loops for each component
+  /// \param defects per vertex: the angle defect that cones have to make up for
+  /// \param strips for each component 2g independent loops, and arcs, one less than its border has curves
   /// \param progress to be asked by `compute()` before anything is used
   Scale_energy(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry,
-               const Mesh_components& components, const std::vector<std::vector<int>>& strips, SolverTraits& solver,
-               Progress& progress)
+               const Mesh_components& components, std::vector<double> defects,
+               const std::vector<std::vector<int>>& strips, SolverTraits& solver, Progress& progress)
     : m_mesh(mesh),
       m_geometry(geometry),
       m_components(components),
@@ -96,17 +102,18 @@ public:
       m_distances(mesh, geometry.m_edge_length),
       m_mass(mesh.number_of_vertices(), 0.),
       m_radius(disk_radii(geometry, components)),
-      m_defect(angle_defects(mesh, geometry)),
+      m_defect(std::move(defects)),
       m_laplacian(mesh, geometry, components, strips, progress),
       m_right_hand_side(m_laplacian.matrix().size())
   {
     for (int h = 0; h < mesh.number_of_halfedges(); ++h)
-      m_mass[mesh.target(h)] += geometry.m_area[mesh.face(h)] / 3;
+      if (mesh.face(h) != null)
+        m_mass[mesh.target(h)] += geometry.m_area[mesh.face(h)] / 3;
   }
 
   /// computes everything that the energies of `cones`, which are vertices, consist of.
   /// \return `false` if the solver fails, or `progress` is interrupted.
-  /// Complexity: one factorization, and a solve per cone and loop.
+  /// Complexity: one factorization, and a solve per cone and strip.
   bool compute(const std::vector<int>& cones, Progress& progress)
   {
     if (m_laplacian.matrix().size() > 0 && !analyze_and_factorize(m_solver, m_laplacian.matrix(), progress))
@@ -117,7 +124,7 @@ public:
       if (!progress.go_on_after(10 * m_disks.back().size()))
         return false;
     }
-    if (!progress.go_on() || !compute_defect_terms() || !compute_loop_terms(cones, progress))
+    if (!progress.go_on() || !compute_defect_terms() || !compute_strip_terms(cones, progress))
       return false;
     const std::size_t n = cones.size(), number_of_solves = m_strips.size() + n;
     m_interaction.assign(n, std::vector<double>(n));
@@ -145,22 +152,22 @@ public:
   /// 1/2 K^T L^+ K, up to the same terms.
   double defect_energy() const { return m_defect_energy; }
 
-  int number_of_loops() const { return static_cast<int>(m_strips.size()); }
+  int number_of_strips() const { return static_cast<int>(m_strips.size()); }
 
-  /// z_l of a signature without cones in which loop `l` does not turn, up to the same terms.
-  double loop_residual(const int l) const { return m_loop_residual[l]; }
+  /// z_l of a signature without cones in which strip `l` does not turn, up to the same terms.
+  double strip_residual(const int l) const { return m_strip_residual[l]; }
 
   /// psi_l at cone `i`. Harmonic forms are smooth: the mean over the disk would hardly differ, if it were not for the
-  /// jump of psi_l across the loop.
-  double loop_potential(const int l, const int i) const { return m_loop_potential[l][i]; }
+  /// jump of psi_l across the strip.
+  double strip_potential(const int l, const int i) const { return m_strip_potential[l][i]; }
 
-  /// replaces z by y = C^-1 z, where W = C C^T: the part of the energy that loops demand is 1/2 |y|^2.
+  /// replaces z by y = C^-1 z, where W = C C^T: the part of the energy that strips demand is 1/2 |y|^2.
   void to_orthonormal(std::vector<double>& z) const
   {
     for (std::size_t i = 0; i < z.size(); ++i) {
       for (std::size_t k = 0; k < i; ++k)
-        z[i] -= m_loop_matrix[i][k] * z[k];
-      z[i] /= m_loop_matrix[i][i];
+        z[i] -= m_strip_matrix[i][k] * z[k];
+      z[i] /= m_strip_matrix[i][i];
     }
   }
 
@@ -198,14 +205,14 @@ private:
     return true;
   }
 
-  bool compute_loop_terms(const std::vector<int>& cones, Progress& progress)
+  bool compute_strip_terms(const std::vector<int>& cones, Progress& progress)
   {
     // With omega_j = eta_j + d psi_j harmonic, <omega_i, omega_j> = <eta_i, omega_j>: no two of them are needed at once.
     const auto& forms = m_laplacian.forms();
     std::vector<double> psi(m_mesh.number_of_vertices());
-    m_loop_residual.clear();
-    m_loop_potential.assign(forms.size(), std::vector<double>());
-    m_loop_matrix.assign(forms.size(), std::vector<double>(forms.size(), 0.));
+    m_strip_residual.clear();
+    m_strip_potential.assign(forms.size(), std::vector<double>());
+    m_strip_matrix.assign(forms.size(), std::vector<double>(forms.size(), 0.));
     for (std::size_t l = 0; l < forms.size(); ++l) {
       progress.progress(static_cast<double>(l) / static_cast<double>(forms.size() + cones.size()));
       if (!progress.go_on())
@@ -217,13 +224,13 @@ private:
         psi[v] = solution(v);
       const std::vector<double> harmonic = m_laplacian.with_differential(forms[l], psi);
       for (std::size_t i = l; i < forms.size(); ++i)
-        m_loop_matrix[i][l] = m_laplacian.product(forms[i], harmonic);
+        m_strip_matrix[i][l] = m_laplacian.product(forms[i], harmonic);
       const double turning = strip_turning(m_mesh, m_strips[l], m_geometry.m_corner_angle);
-      m_loop_residual.push_back(-turning - product_with_defects());
+      m_strip_residual.push_back(-turning - product_with_defects());
       for (const int v : cones)
-        m_loop_potential[l].push_back(psi[v]);
+        m_strip_potential[l].push_back(psi[v]);
     }
-    return cholesky(m_loop_matrix);
+    return cholesky(m_strip_matrix);
   }
 
   void add_to_right_hand_side(const int v, const double value)
@@ -272,9 +279,9 @@ private:
   std::vector<std::vector<double>> m_interaction;
   std::vector<double> m_defect_potential; // per cone
   double m_defect_energy = 0;
-  std::vector<double> m_loop_residual;               // per loop
-  std::vector<std::vector<double>> m_loop_potential; // per loop and cone
-  std::vector<std::vector<double>> m_loop_matrix;    // C
+  std::vector<double> m_strip_residual;               // per strip
+  std::vector<std::vector<double>> m_strip_potential; // per strip and cone
+  std::vector<std::vector<double>> m_strip_matrix;    // C
 };
 
 } // namespace internal

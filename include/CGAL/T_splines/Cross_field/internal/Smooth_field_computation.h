@@ -31,6 +31,7 @@ namespace internal {
 /// What the computation of a smooth field may be asked for.
 struct Smooth_field_options {
   std::vector<char> is_edge_constrained; ///< per edge
+  std::vector<double> edge_deviation;    ///< per constrained edge: from its direction to that of the cross
   double curvature_alignment = 0;
   int diffusion_steps = 0;
   unsigned int seed = 0;
@@ -125,7 +126,8 @@ private:
       const int e = edge_of(h);
       if (!m_options.is_edge_constrained[e])
         continue;
-      m_fixed[m_mesh.source(h)] += std::polar(m_geometry.m_edge_length[e], 4 * m_frames.direction(h));
+      m_fixed[m_mesh.source(h)] +=
+          std::polar(m_geometry.m_edge_length[e], 4 * (m_frames.direction(h) + m_options.edge_deviation[e]));
       total[m_mesh.source(h)] += m_geometry.m_edge_length[e];
     }
     for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
@@ -145,11 +147,12 @@ private:
       const double length = m_geometry.m_edge_length[edge_of(h)];
       if (!m_options.is_edge_constrained[edge_of(h)])
         continue;
-      sum += std::polar(length, 4 * m_geometry.direction(m_mesh, h));
+      const double direction = m_geometry.direction(m_mesh, h) + m_options.edge_deviation[edge_of(h)];
+      sum += std::polar(length, 4 * direction);
       total += length;
       if (length > longest) {
         longest = length;
-        direction_of_longest = m_geometry.direction(m_mesh, h);
+        direction_of_longest = direction;
       }
     }
     if (total == 0)

@@ -21,7 +21,8 @@ namespace internal {
 /// The primal cycles that the generators of a tree-cotree decomposition close with the primal spanning tree.
 ///
 /// The loop of generator j crosses cycle i exactly once if i = j, else never: the numbers of crossings with the cycles are
-/// the coordinates of a dual loop in the homology basis of the decomposition.
+/// the coordinates of a dual loop in the homology basis of the decomposition. A cycle may jump from one vertex of a
+/// curve of the border to another.
 class Primal_cycles {
   using Index = Triangulation_connectivity::Index;
   static constexpr Index null = Triangulation_connectivity::null;
@@ -31,56 +32,62 @@ public:
   Primal_cycles(const Triangulation_connectivity& mesh, const Tree_cotree_decomposition& decomposition,
                 const std::vector<Index>& faces)
     : m_mesh(mesh),
+      m_decomposition(decomposition),
       m_entry(mesh.number_of_vertices(), null),
       m_depth(mesh.number_of_vertices(), 0)
   {
-    grow_tree(decomposition, faces);
+    grow_tree(faces);
   }
 
   /// computes the halfedges of the cycle of generator `e`: edge `e` from its source to its target and back in the tree.
   std::vector<Index> cycle(const Index e) const
   {
     std::vector<Index> result(1, halfedge_of_edge(e));
-    Index v = m_mesh.target(halfedge_of_edge(e)), w = m_mesh.source(halfedge_of_edge(e));
+    Index v = node_at(result.front()), w = node_at(opposite(result.front()));
     while (v != w) {
       if (m_depth[v] >= m_depth[w]) {
         result.push_back(opposite(m_entry[v]));
-        v = m_mesh.source(m_entry[v]);
+        v = node_at(result.back());
       }
       else {
         result.push_back(m_entry[w]);
-        w = m_mesh.source(m_entry[w]);
+        w = node_at(opposite(m_entry[w]));
       }
     }
     return result;
   }
 
 private:
-  void grow_tree(const Tree_cotree_decomposition& decomposition, const std::vector<Index>& faces)
+  Index node_at(const Index h) const { return m_decomposition.node(m_mesh.target(h)); }
+
+  void grow_tree(const std::vector<Index>& faces)
   {
     std::vector<char> is_generator(m_mesh.number_of_edges(), 0);
-    for (const Index e : decomposition.generators())
+    for (const Index e : m_decomposition.generators())
       is_generator[e] = 1;
-    const std::vector<Index> outgoing = m_mesh.outgoing_halfedges();
-    const Index root = m_mesh.target(m_mesh.halfedge_of_face(faces.front()));
+    std::vector<std::vector<Index>> outgoing(m_mesh.number_of_vertices()); // per node, in the tree
+    m_decomposition.for_each_inner_edge(faces, [&](const Index h) {
+      if (is_generator[edge_of(h)] || m_decomposition.in_dual_tree(h))
+        return;
+      outgoing[node_at(opposite(h))].push_back(h);
+      outgoing[node_at(h)].push_back(opposite(h));
+    });
+    const Index root = node_at(m_mesh.halfedge_of_face(faces.front()));
     std::vector<Index> queue(1, root);
-    for (std::size_t i = 0; i < queue.size(); ++i) {
-      const Index first = outgoing[queue[i]];
-      Index h = first;
-      do {
-        const Index v = m_mesh.target(h);
-        if (v != root && m_entry[v] == null && !is_generator[edge_of(h)] && !decomposition.in_dual_tree(h)) {
-          m_entry[v] = h;
-          m_depth[v] = m_depth[queue[i]] + 1;
-          queue.push_back(v);
-        }
-        h = m_mesh.next_around_source(h);
-      } while (h != first);
-    }
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      for (const Index h : outgoing[queue[i]]) {
+        const Index v = node_at(h);
+        if (v == root || m_entry[v] != null)
+          continue;
+        m_entry[v] = h;
+        m_depth[v] = m_depth[queue[i]] + 1;
+        queue.push_back(v);
+      }
   }
 
   const Triangulation_connectivity& m_mesh;
-  std::vector<Index> m_entry; // per vertex: the halfedge from its parent
+  const Tree_cotree_decomposition& m_decomposition;
+  std::vector<Index> m_entry; // per node: the halfedge from its parent
   std::vector<Index> m_depth;
 };
 
@@ -129,7 +136,7 @@ inline std::int64_t determinant_modulo(const std::vector<std::vector<int>>& matr
 
 /// tells whether closed strips generate the integer homology of a component: whether their matrix of coordinates has
 /// determinant 1 or -1. The determinant is computed modulo two primes, whose product exceeds 2^61.
-/// \pre There are 2g strips, and the component has no border.
+/// \pre There are 2g strips.
 /// \return `true` if `progress` is interrupted.
 inline bool generate_homology(const Triangulation_connectivity& mesh, const std::vector<double>& dual_length,
                               const std::vector<int>& faces, const std::vector<std::vector<int>>& strips,

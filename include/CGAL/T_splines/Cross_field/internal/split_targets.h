@@ -41,16 +41,19 @@ inline std::vector<int> split_targets(const Triangulation_connectivity& mesh, co
   for (const int cone : cones)
     has_cones[components.of_vertex[cone]] = 1;
   const std::vector<double> defect = angle_defects(mesh, geometry);
+  std::vector<char> is_near(mesh.number_of_vertices(), 0); // to a target, or on the border: there are no cones
+  for (int h = 0; h < mesh.number_of_halfedges(); ++h)
+    if (mesh.face(h) == Triangulation_connectivity::null)
+      is_near[mesh.target(h)] = 1;
   std::vector<int> targets;
   for (int v = 0; v < mesh.number_of_vertices(); ++v)
-    if (has_cones[components.of_vertex[v]] && std::abs(defect[v]) > sharp)
+    if (has_cones[components.of_vertex[v]] && is_near[v] == 0 && std::abs(defect[v]) > sharp)
       targets.push_back(v);
   std::stable_sort(targets.begin(), targets.end(),
                    [&](const int v, const int w) { return std::abs(defect[v]) > std::abs(defect[w]); });
   targets.resize((std::min)(targets.size(), most / 2));
 
   Edge_distances distances(mesh, geometry.m_edge_length), to_target(mesh, geometry.m_edge_length);
-  std::vector<char> is_near(mesh.number_of_vertices(), 0); // to a target
   const std::size_t most_per_cone = (most / 2 + cones.size() - 1) / cones.size();
   for (const int cone : cones) {
     std::size_t number = 0;

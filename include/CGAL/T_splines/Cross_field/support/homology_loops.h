@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -22,7 +23,10 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// Tree-cotree decompositions of the components of a closed triangulation.
+/// Tree-cotree decompositions of the components of a triangulation.
+///
+/// A closed curve of the border counts as one vertex, as if a disk that closes it had shrunk to a point: no loop crosses
+/// it.
 ///
 /// For a root face, the dual tree consists of shortest dual paths. Every edge outside of it closes a loop; the primal
 /// spanning tree is the one that is largest by the lengths of these loops, so that the 2g edges in neither tree close
@@ -39,6 +43,7 @@ public:
     : m_mesh(mesh),
       m_dual_length(dual_length),
       m_distance(mesh.number_of_faces()),
+      m_node(nodes(mesh)),
       m_depth(mesh.number_of_faces()),
       m_entry(mesh.number_of_faces(), null),
       m_degree(mesh.number_of_vertices(), 0),
@@ -87,13 +92,40 @@ public:
     return result;
   }
 
-  /// tells whether the dual tree crosses the edge of `h`.
+  /// the vertex, or the first one of the curve of the border that counts as one with it.
+  Index node(const Index v) const { return m_node[v]; }
+
+  /// calls `function(h)` for one halfedge of each edge between two of `faces`.
+  template <typename Function>
+  void for_each_inner_edge(const std::vector<Index>& faces, const Function& function) const
+  {
+    for (const Index f : faces) {
+      Index h = m_mesh.halfedge_of_face(f);
+      for (int corner = 0; corner < 3; ++corner, h = m_mesh.next(h))
+        if (h < opposite(h) && m_mesh.face(opposite(h)) != null)
+          function(h);
+    }
+  }
+
+  /// tells whether the dual tree crosses the edge of `h`. \pre The edge has two faces.
   bool in_dual_tree(const Index h) const
   {
     return m_entry[m_mesh.face(h)] == h || m_entry[m_mesh.face(opposite(h))] == opposite(h);
   }
 
 private:
+  static std::vector<Index> nodes(const Triangulation_connectivity& mesh)
+  {
+    std::vector<Index> result(mesh.number_of_vertices());
+    std::iota(result.begin(), result.end(), 0);
+    for (const std::vector<Index>& curve : border_curves(mesh))
+      for (const Index h : curve)
+        result[mesh.target(h)] = mesh.target(curve.front());
+    return result;
+  }
+
+  Index node_at(const Index h) const { return m_node[m_mesh.target(h)]; }
+
   Index parent(const Index f) const { return m_mesh.face(opposite(m_entry[f])); }
 
   void grow_dual_tree(const std::vector<Index>& faces, const Index root, Progress& progress)
@@ -114,6 +146,8 @@ private:
       Index h = m_mesh.halfedge_of_face(f);
       for (int corner = 0; corner < 3; ++corner, h = m_mesh.next(h)) {
         const Index g = m_mesh.face(opposite(h));
+        if (g == null)
+          continue;
         const double via_f = distance + m_dual_length[edge_of(h)];
         if (via_f < m_distance[g]) {
           m_distance[g] = via_f;
@@ -130,23 +164,24 @@ private:
   void find_core(const std::vector<Index>& faces)
   {
     m_core.clear();
-    for_each_edge(faces, [this](const Index h) {
+    for_each_inner_edge(faces, [this](const Index h) {
       if (!in_dual_tree(h))
         m_core.push_back(edge_of(h));
     });
     std::vector<Index> leaves;
     for (const Index e : m_core) {
       for (const Index h : halfedges_of_edge(e)) {
-        ++m_degree[m_mesh.target(h)];
-        m_incident_edges[m_mesh.target(h)] ^= e; // with one edge left, this is the edge
+        ++m_degree[node_at(h)];
+        m_incident_edges[node_at(h)] ^= e; // with one edge left, this is the edge
       }
     }
     for (const Index e : m_core)
       for (const Index h : halfedges_of_edge(e))
-        if (m_degree[m_mesh.target(h)] == 1)
-          strip_leaves(m_mesh.target(h));
+        if (m_degree[node_at(h)] == 1)
+          strip_leaves(node_at(h));
     const auto is_stripped = [this](const Index e) {
-      return m_degree[m_mesh.target(halfedge_of_edge(e))] == 0 || m_degree[m_mesh.source(halfedge_of_edge(e))] == 0;
+      const auto [h, g] = halfedges_of_edge(e);
+      return m_degree[node_at(h)] == 0 || m_degree[node_at(g)] == 0;
     };
     m_core.erase(std::remove_if(m_core.begin(), m_core.end(), is_stripped), m_core.end());
     reset_vertices(faces);
@@ -156,7 +191,8 @@ private:
   {
     while (m_degree[v] == 1) {
       const Index e = m_incident_edges[v];
-      const Index h = halfedge_of_edge(e), w = m_mesh.target(h) == v ? m_mesh.source(h) : m_mesh.target(h);
+      const auto [h, g] = halfedges_of_edge(e);
+      const Index w = node_at(h) == v ? node_at(g) : node_at(h);
       m_degree[v] = 0;
       --m_degree[w];
       m_incident_edges[w] ^= e;
@@ -166,8 +202,8 @@ private:
 
   void reset_vertices(const std::vector<Index>& faces)
   {
-    for_each_edge(faces, [this](const Index h) {
-      for (const Index v : {m_mesh.target(h), m_mesh.source(h)}) {
+    for_each_inner_edge(faces, [this](const Index h) {
+      for (const Index v : {node_at(h), node_at(opposite(h))}) {
         m_degree[v] = 0;
         m_incident_edges[v] = 0;
       }
@@ -180,12 +216,12 @@ private:
     std::sort(m_loop_length.begin(), m_loop_length.end());
     for (const Index e : m_core)
       for (const Index h : halfedges_of_edge(e))
-        m_representative[m_mesh.target(h)] = m_mesh.target(h);
+        m_representative[node_at(h)] = node_at(h);
     m_generators.clear();
     double total = 0;
     for (auto entry = m_loop_length.rbegin(); entry != m_loop_length.rend(); ++entry) {
-      const Index v = representative(m_mesh.target(halfedge_of_edge(entry->second)));
-      const Index w = representative(m_mesh.source(halfedge_of_edge(entry->second)));
+      const Index v = representative(node_at(halfedge_of_edge(entry->second)));
+      const Index w = representative(node_at(opposite(halfedge_of_edge(entry->second))));
       if (v == w) {
         m_generators.push_back(entry->second);
         total += entry->first;
@@ -219,20 +255,10 @@ private:
     return m_distance[f] + m_distance[g] - 2 * m_distance[lowest_common_ancestor(f, g)] + m_dual_length[e];
   }
 
-  template <typename Function>
-  void for_each_edge(const std::vector<Index>& faces, const Function& function) const
-  {
-    for (const Index f : faces) {
-      Index h = m_mesh.halfedge_of_face(f);
-      for (int corner = 0; corner < 3; ++corner, h = m_mesh.next(h))
-        if (h < opposite(h))
-          function(h);
-    }
-  }
-
   const Triangulation_connectivity& m_mesh;
   const std::vector<double>& m_dual_length;
   std::vector<double> m_distance;                      // per face: to the root
+  std::vector<Index> m_node;                           // per vertex
   std::vector<Index> m_depth;                          // per face: number of edges to the root
   std::vector<Index> m_entry;                          // per face: its halfedge towards its parent
   std::vector<Index> m_degree, m_incident_edges;       // per vertex, while the core is found
@@ -241,14 +267,14 @@ private:
   std::vector<std::pair<double, Index>> m_loop_length; // per edge of the core
 };
 
-/// computes, for each component of a closed triangulation, 2g short loops that generate its homology.
+/// computes, for each component of a triangulation, 2g short loops that generate its homology, that of the surface without
+/// border which disks would make of it.
 ///
 /// \param dual_length per edge: the length of a dual path across it, not negative
 /// \param progress if it is interrupted, what is returned is incomplete
 /// \param number_of_roots how many decompositions are tried per component; the one with the shortest loops is kept
 /// \return the loops, component by component, each as the cyclic sequence of the halfedges by which it enters its faces,
 ///         as in `Holonomy_signature::Loop`; no loop enters a face twice.
-/// \pre The triangulation has no border.
 /// Complexity: O(n log n) with n faces, and the total length of the loops.
 inline std::vector<std::vector<int>> homology_loops(const Triangulation_connectivity& mesh,
                                                     const std::vector<double>& dual_length,

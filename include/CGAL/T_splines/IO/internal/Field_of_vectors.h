@@ -145,7 +145,7 @@ private:
 template <typename TriangleMesh, typename NamedParameters>
 bool check_mesh_of_field(const TriangleMesh& mesh, const NamedParameters& np, Field_file_parser& parser)
 {
-  const auto report = triangle_mesh_report(mesh, true, np, parser.progress());
+  const auto report = triangle_mesh_report(mesh, np, parser.progress());
   return report.success() ||
          parser.fail(report.status == Triangle_mesh_status::INTERRUPTED ? Field_file_status::INTERRUPTED
                                                                         : Field_file_status::INVALID_MESH);

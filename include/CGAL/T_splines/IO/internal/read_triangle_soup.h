@@ -89,7 +89,8 @@ inline void count_boundary(const Polygon_soup& soup, Mesh_reading_report& report
 /// What the public readers ask for.
 struct Mesh_reading_options {
   bool is_boundary_admitted = false;
-  double merge_distance = -1; ///< relative to the longest side of the bounding box; negative: nothing is merged
+  bool are_cracks_admitted = true; ///< boundaries that vanish when what is near is merged
+  double merge_distance = -1;      ///< relative to the longest side of the bounding box; negative: nothing is merged
   bool is_repaired = false;
 };
 
@@ -189,6 +190,18 @@ private:
   Merged_boundaries m_merged;
 };
 
+/// Beyond this distance, merging would change what one sees.
+inline constexpr double largest_advised_merge_distance = 1e-3;
+
+/// Whether the whole boundary vanishes when ends of sides that are near each other are merged.
+inline bool has_only_cracks(Polygon_soup soup)
+{
+  const double side = longest_side(soup);
+  merge_boundaries(largest_advised_merge_distance * side, default_merge_distance * side, Merge_conflicts::AVOIDED,
+                   soup);
+  return boundary_sides(soup).empty();
+}
+
 /// A number that is not less and has two decimal digits.
 inline double rounded_up(const double x)
 {
@@ -206,7 +219,6 @@ inline double rounded_up(const double x)
 inline void find_remedies(const std::string& filename, const Mesh_reading_options& options, Progress& progress,
                           Mesh_reading_report& report)
 {
-  constexpr double largest_advised_distance = 1e-3; // beyond it, merging would change what one sees
   Polygon_soup original;
   if (!parse_mesh_file(filename, original, progress).success())
     return;
@@ -225,7 +237,7 @@ inline void find_remedies(const std::string& filename, const Mesh_reading_option
   if (report.status != Mesh_reading_status::BOUNDARY)
     return;
   Mesh_reading_options merging = options;
-  merging.merge_distance = largest_advised_distance;
+  merging.merge_distance = largest_advised_merge_distance;
   if (!succeeds(merging))
     return;
   merging.merge_distance = rounded_up(closing_distance);
@@ -247,12 +259,18 @@ inline Mesh_reading_report read_triangle_soup(const std::string& filename, const
   progress.progress(1);
   if (!progress.go_on())
     return interrupted_reading();
-  if (report.success())
-    return report;
+  Mesh_reading_options checked = options;
+  if (report.success()) {
+    count_boundary(soup, report);
+    if (report.number_of_boundary_edges == 0 || options.are_cracks_admitted || !has_only_cracks(soup))
+      return report;
+    checked.is_boundary_admitted = false;
+    report = Soup_triangulation(checked, soup, triangles, progress).compute();
+  }
   if (report.status == Mesh_reading_status::BOUNDARY)
     count_boundary(soup, report);
-  if (!options.is_boundary_admitted)
-    find_remedies(filename, options, progress, report);
+  if (!options.is_boundary_admitted || !options.are_cracks_admitted)
+    find_remedies(filename, checked, progress, report);
   return progress.is_interrupted() ? interrupted_reading() : report;
 }
 

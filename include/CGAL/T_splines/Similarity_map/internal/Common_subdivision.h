@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -385,26 +386,45 @@ private:
     return final_halfedge(clockwise);
   }
 
-  // Makes the connectivity of the triangles. The refined mesh is simple: its edges are straight in the input's faces.
+  // A side of a triangle, and what it shares with the triangle on its other side: its nodes, and the input edge or face
+  // in which it lies. Its nodes alone do not tell, where two input edges join the same two vertices.
+  struct Side {
+    std::uint64_t nodes;
+    int place, number;
+
+    bool operator<(const Side& other) const
+    {
+      return std::tie(nodes, place, number) < std::tie(other.nodes, other.place, other.number);
+    }
+  };
+
+  Side side_of_triangle(const int i) const
+  {
+    const Triangle& triangle = m_triangles[i / 3];
+    const std::uint64_t a = triangle.node[i % 3], b = triangle.node[(i + 1) % 3];
+    const int on_input = triangle.input_halfedge[i % 3];
+    return {(std::min(a, b) << 32) | std::max(a, b),
+            on_input != none ? edge_of(on_input) : m_input.number_of_edges() + triangle.input_face, i};
+  }
+
+  // Makes the connectivity of the triangles: their sides are straight in the input's faces.
   void connect(Progress& progress)
   {
     const int number_of_triangles = static_cast<int>(m_triangles.size());
-    std::vector<std::pair<std::uint64_t, int>> keys(3 * m_triangles.size());
-    for (int i = 0; i < 3 * number_of_triangles; ++i) {
-      const std::uint64_t a = m_triangles[i / 3].node[i % 3], b = m_triangles[i / 3].node[(i + 1) % 3];
-      keys[i] = {(std::min(a, b) << 32) | std::max(a, b), i};
-    }
+    std::vector<Side> sides(3 * m_triangles.size());
+    for (int i = 0; i < 3 * number_of_triangles; ++i)
+      sides[i] = side_of_triangle(i);
     if (!progress.go_on())
       return;
-    std::sort(keys.begin(), keys.end());
+    std::sort(sides.begin(), sides.end());
     if (!progress.go_on())
       return;
-    std::vector<int> halfedge(keys.size());
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      CGAL_assertion(keys[i].first == keys[i ^ 1].first);
-      halfedge[keys[i].second] = static_cast<int>(i);
+    std::vector<int> halfedge(sides.size());
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      CGAL_assertion(sides[i].nodes == sides[i ^ 1].nodes && sides[i].place == sides[i ^ 1].place);
+      halfedge[sides[i].number] = static_cast<int>(i);
     }
-    keys = {};
+    sides = {};
     Triangulation_connectivity& mesh = m_result.mesh;
     mesh.m_number_of_vertices = static_cast<int>(m_result.point.size());
     mesh.m_next.resize(halfedge.size());

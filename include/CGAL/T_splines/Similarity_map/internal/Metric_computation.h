@@ -4,15 +4,14 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_METRIC_COMPUTATION_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_METRIC_COMPUTATION_H
 
-#include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
 #include <CGAL/T_splines/Similarity_map/Flip_policy.h>
+#include <CGAL/T_splines/Similarity_map/internal/Metric_input.h>
 #include <CGAL/T_splines/Similarity_map/internal/Newton_iteration.h>
 #include <CGAL/T_splines/Similarity_map/internal/Newton_system.h>
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
-#include <CGAL/T_splines/internal/mesh_components.h>
 
 #include <array>
 #include <cmath>
@@ -40,50 +39,6 @@ inline constexpr bool flips_by_ptolemy(const Degeneracy_flips&)
 {
   return false;
 }
-
-/// What a similarity metric is computed from, in indices.
-struct Metric_input {
-  Triangulation_connectivity mesh;
-  std::vector<std::array<double, 3>> point; ///< per vertex
-  std::vector<int> component_of_vertex;
-  std::vector<std::vector<int>> loops;
-  std::vector<int> quarter_turns; ///< per vertex, then per loop
-
-  template <typename TriangleMesh, typename VertexPointMap>
-  Metric_input(const Mesh_indexing<TriangleMesh>& indexing, const Holonomy_signature<TriangleMesh>& signature,
-               const VertexPointMap& points)
-    : mesh(triangulation_connectivity(indexing)),
-      component_of_vertex(mesh_components(mesh).of_vertex)
-  {
-    for (int v = 0; v < indexing.number_of_vertices(); ++v) {
-      const auto& p = get(points, indexing.vertex(v));
-      point.push_back({{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}});
-    }
-    quarter_turns.assign(indexing.number_of_vertices(), Holonomy_signature<TriangleMesh>::regular);
-    for (const auto& cone : signature.cones())
-      quarter_turns[indexing.vertex_index(cone.first)] = cone.second;
-    for (const auto& loop : signature.loops()) {
-      loops.emplace_back();
-      for (const auto h : loop.halfedges)
-        loops.back().push_back(indexing.halfedge_index(h));
-      quarter_turns.push_back(loop.quarter_turns);
-    }
-  }
-
-  /// The square of the length of edge e, of the points as they are.
-  template <typename FT>
-  FT squared_length(const int e) const
-  {
-    const std::array<double, 3>&p = point[mesh.target(halfedge_of_edge(e))],
-                             &q = point[mesh.source(halfedge_of_edge(e))];
-    FT sum(0);
-    for (int k = 0; k < 3; ++k) {
-      const FT d = FT(p[k]) - FT(q[k]);
-      sum += d * d;
-    }
-    return sum;
-  }
-};
 
 /// The computation of a similarity metric in the number type `FT`: its stages and what they leave.
 template <typename FT_>
@@ -192,7 +147,7 @@ struct Metric_computation {
 
 /// fills in what `computation` did; the place of the largest residual is that of `system`.
 template <typename TriangleMesh, typename FT, typename Report>
-void fill_report(const Metric_computation<FT>& computation, const Newton_system<FT>& system,
+void fill_report(const Metric_computation<FT>& computation, const Newton_system<FT>& system, const Metric_input& input,
                  const Mesh_indexing<TriangleMesh>& indexing, Report& report)
 {
   const Newton_record& record = computation.record;
@@ -206,11 +161,13 @@ void fill_report(const Metric_computation<FT>& computation, const Newton_system<
   report.delaunay_flips = computation.delaunay_flips;
   report.flips = record.flips;
   report.mantissa_bits = std::numeric_limits<FT>::digits;
-  const std::size_t vertices = indexing.number_of_vertices();
-  if (system.worst() < vertices)
-    report.vertex = indexing.vertex(static_cast<int>(system.worst()));
-  else
-    report.loop = system.worst() - vertices;
+  const std::size_t worst = system.worst(), vertices = input.original_vertex.size();
+  if (worst < vertices)
+    report.vertex = indexing.vertex(input.original_vertex[worst]);
+  else if (worst < vertices + input.number_of_loops)
+    report.loop = worst - vertices;
+  else if (worst < vertices + input.number_of_loops + input.number_of_arcs)
+    report.arc = worst - vertices - input.number_of_loops;
 }
 
 } // namespace internal

@@ -70,13 +70,16 @@ public:
   }
 
   /// writes each vertex's place on the input as a face and barycentric coordinates (`Face_location` of Polygon Mesh
-  /// Processing).
+  /// Processing). \param input closed: of a mesh with border, the double
   template <typename TriangleMesh, typename VertexLocationMap>
   void put_locations(const Mesh_indexing<TriangleMesh>& indexing, const Triangulation_connectivity& input,
                      VertexLocationMap map) const
   {
     using Location = typename boost::property_traits<VertexLocationMap>::value_type;
-    const std::vector<int> outgoing = input.outgoing_halfedges();
+    std::vector<int> arriving(input.number_of_vertices()); // of a face
+    for (int h = 0; h < input.number_of_halfedges(); ++h)
+      if (is_inner(input, h, indexing))
+        arriving[input.target(h)] = h;
     for (int v = 0; v < m_refined.mesh.number_of_vertices(); ++v) {
       const Input_place& place = m_refined.place[v];
       int f = 0;
@@ -88,14 +91,18 @@ public:
       };
       switch (place.kind) {
       case Input_place::Kind::VERTEX:
-        f = input.face(outgoing[place.index]);
-        weight[corner(input.previous(outgoing[place.index]))] = 1;
+        f = input.face(arriving[place.index]);
+        weight[corner(arriving[place.index])] = 1;
         break;
-      case Input_place::Kind::EDGE:
-        f = input.face(halfedge_of_edge(place.index));
-        weight[corner(input.previous(halfedge_of_edge(place.index)))] = place.weight[0];
-        weight[corner(halfedge_of_edge(place.index))] = place.weight[1];
+      case Input_place::Kind::EDGE: {
+        const auto [along, against] = halfedges_of_edge(place.index);
+        const bool is_along = is_inner(input, along, indexing);
+        const int h = is_along ? along : against;
+        f = input.face(h);
+        weight[corner(input.previous(h))] = place.weight[is_along ? 0 : 1];
+        weight[corner(h)] = place.weight[is_along ? 1 : 0];
         break;
+      }
       case Input_place::Kind::FACE:
         f = place.index;
         weight = {{place.weight[2], place.weight[0], place.weight[1]}};
@@ -117,6 +124,14 @@ public:
   }
 
 private:
+  // Whether a halfedge of the input, or of its double, has a face of the input.
+  template <typename TriangleMesh>
+  static bool is_inner(const Triangulation_connectivity& input, const int h,
+                       const Mesh_indexing<TriangleMesh>& indexing)
+  {
+    return input.face(h) < indexing.number_of_faces();
+  }
+
   template <typename To, typename From>
   static To copy(const From& p)
   {

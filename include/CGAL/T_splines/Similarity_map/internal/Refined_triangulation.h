@@ -27,7 +27,7 @@ struct Input_place {
 struct Refined_triangulation {
   static constexpr int none = -1;
 
-  Triangulation_connectivity mesh;          ///< closed and simple; the input's vertices come first
+  Triangulation_connectivity mesh;          ///< the input's vertices come first
   std::vector<std::array<double, 3>> point; ///< per vertex
   std::vector<Input_place> place;           ///< per vertex
   std::vector<std::array<double, 2>> uv;    ///< per halfedge: of its target in the chart of its face

@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Common_subdivision.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_transitions.h>
 #include <CGAL/T_splines/Similarity_map/internal/Edge_crossings.h>
+#include <CGAL/T_splines/Similarity_map/internal/First_sheet.h>
 #include <CGAL/T_splines/Similarity_map/internal/Flat_layout.h>
 #include <CGAL/T_splines/Similarity_map/internal/Metric_computation.h>
 #include <CGAL/T_splines/Similarity_map/internal/Refined_triangulation.h>
@@ -16,10 +17,13 @@
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -81,7 +85,15 @@ public:
       m_cut[e] = on_final != none && m_layout.is_cut(edge_of(on_final));
     }
     progress.progress(0.8);
-    m_first_bad_input_face = Sliver_removal(input.mesh, input.point, m_refined, m_cut, progress).first_bad_input_face();
+    const int bad_face = Sliver_removal(input.mesh, input.point, m_refined, m_cut, progress).first_bad_input_face();
+    if (bad_face < input.number_of_faces)
+      m_first_bad_input_face = bad_face;
+    if (input.is_double() && progress.go_on()) {
+      First_sheet sheet(input, m_refined, m_cut);
+      m_refined = std::move(sheet.refined());
+      m_cut = std::move(sheet.cut_edges());
+      m_alignment.emplace(m_refined);
+    }
     progress.progress(1.);
   }
 
@@ -110,8 +122,11 @@ public:
     if (!m_cut[edge_of(h)])
       return Similarity_2<double>();
     const Similarity_2<FT> wide = m_transitions->transition(m_refined.final_halfedge[h]);
-    return Similarity_2<double>(wide.quarter_turns(), static_cast<double>(wide.scale()), static_cast<double>(wide.u()),
-                                static_cast<double>(wide.v()));
+    std::array<double, 2> translation = {{static_cast<double>(wide.u()), static_cast<double>(wide.v())}};
+    if (m_alignment)
+      translation = m_alignment->turned(translation, m_refined.mesh.target(h));
+    return Similarity_2<double>(wide.quarter_turns(), static_cast<double>(wide.scale()), translation[0],
+                                translation[1]);
   }
 
 private:
@@ -137,6 +152,7 @@ private:
   std::optional<Cut_transitions<FT>> m_transitions; // none if the work was interrupted
   Refined_triangulation m_refined;
   std::vector<char> m_cut;
+  std::optional<Border_alignment> m_alignment; // of a mesh with border
   bool m_is_too_large = false;
   int m_first_bad_input_face = none;
 };

@@ -73,13 +73,13 @@ public:
       else
         break;
     }
-    const auto negative = first_negative();
-    if (negative != bad.end())
-      m_first_bad_input_face = m_refined.input_face[*negative];
+    for (const Index f : bad)
+      if (!is_positive(f) && (m_first_bad_input_face == none || m_refined.input_face[f] < m_first_bad_input_face))
+        m_first_bad_input_face = m_refined.input_face[f];
     compress();
   }
 
-  /// The input face of a triangle that could not be repaired, or -1.
+  /// The first input face with a triangle that could not be repaired, or -1.
   int first_bad_input_face() const { return m_first_bad_input_face; }
 
 private:

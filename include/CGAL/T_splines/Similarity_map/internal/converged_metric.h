@@ -74,13 +74,14 @@ sharpened(const Metric_computation<double>& computation, const Metric_input& inp
   limits.number_of_iterations = computation.record.iterations + 1;
   Similarity_map_report<TriangleMesh> sharp_report = report;
   sharp.iterate(system, policy, solver, progress, limits);
-  fill_report(sharp, system, indexing, sharp_report);
+  fill_report(sharp, system, input, indexing, sharp_report);
   if (!(sharp_report.residual <= report.residual))
     return Metric_computation<FT>(computation);
   report.residual = report.residual_history.back() = sharp_report.residual;
   report.mantissa_bits = sharp_report.mantissa_bits;
   report.vertex = sharp_report.vertex;
   report.loop = sharp_report.loop;
+  report.arc = sharp_report.arc;
   return sharp;
 }
 
@@ -127,7 +128,7 @@ private:
   {
     Newton_system<FT> system(input.component_of_vertex, input.quarter_turns);
     computation.iterate(system, policy, solver, progress, limits);
-    fill_report(computation, system, indexing, report);
+    fill_report(computation, system, input, indexing, report);
     if (report.success()) {
       const Newton_record record = computation.record;
       if (!is_consumed(computation, report) && !progress.is_interrupted() && flips_by_ptolemy(policy))

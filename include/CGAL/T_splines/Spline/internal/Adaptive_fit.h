@@ -126,7 +126,8 @@ private:
     m_caller.begin_stage("fit");
     if (!m_caller.go_on())
       return;
-    if (!make_compatible()) {
+    report.incompatibility = make_compatible();
+    if (report.incompatibility != Spline_compatibility_status::SPLINE_COMPATIBLE) {
       report.status = Status::NOT_SPLINE_COMPATIBLE;
       return;
     }
@@ -228,16 +229,16 @@ private:
       report.status = Status::WITHIN_TOLERANCE;
   }
 
-  // Makes the copy.
-  bool make_compatible()
+  // Makes the copy. Returns which condition could not be met.
+  Spline_compatibility_status make_compatible()
   {
     m_fine = m_plain;
     m_ancestors = Face_ancestors<Graph>();
     const T_mesh_observer_pair observer(m_fine.surface.observer(), m_ancestors.observer());
-    const auto report = CGAL::T_splines::make_spline_compatible(m_fine.t_mesh, with_part_visitor(observer));
-    m_in_rings = report.vertices_in_rings;
+    const auto refinement = CGAL::T_splines::make_spline_compatible(m_fine.t_mesh, with_part_visitor(observer));
+    m_in_rings = refinement.vertices_in_rings;
     m_fine.stiffness = inherited(m_plain.stiffness, m_ancestors, m_fine.t_mesh.graph());
-    return report.success();
+    return refinement.status;
   }
 
   // The named parameters with which a T-mesh is changed.
@@ -266,6 +267,7 @@ private:
     Fitter fitter(t, m_fine.surface, m_walk, m_fine.stiffness, m_caller);
     if (!fitter.fitted().surface().is_valid()) {
       report.status = Status::NOT_SPLINE_COMPATIBLE;
+      report.incompatibility = fitter.fitted().surface().report().compatibility.status;
       return false;
     }
     T_spline_fit_report<Graph> fit;
@@ -456,7 +458,7 @@ private:
         split(m_plans[i], are_few || m_plans[i].error > large_error, editor, position);
       grade_T_mesh(t, largest_ratio_of_neighbours, with_part_visitor(observer));
       m_plain.stiffness = inherited(plain.stiffness, ancestors, t.graph());
-      const bool is_compatible = make_compatible();
+      const bool is_compatible = make_compatible() == Spline_compatibility_status::SPLINE_COMPATIBLE;
       const std::size_t after = m_fine.t_mesh.graph().number_of_vertices();
       if (is_compatible && after <= limit)
         return Refinement::DONE;

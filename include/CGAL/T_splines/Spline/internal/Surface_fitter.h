@@ -140,6 +140,8 @@ private:
     Surface_sampling<Graph, FT> sampling(surface.basis(), surface.indexing(), m_carried, m_walk, m_progress);
     m_cells = sampling.cells(fewest_per_cell);
     m_edges = sampling.sharp_edges(smallest_turn, edge_points_per_cell);
+    m_border = sampling.border(fewest_per_cell);
+    m_border_corners = sampling.border_corners();
     m_corners = sampling.corners();
     for (const Point_3& p : m_carried.points())
       m_box.extend(p);
@@ -151,14 +153,22 @@ private:
       area += sample.area;
     }
     m_mean_area = area / static_cast<double>(m_cells.size());
+    m_border_feet.clear();
+    for (const Sampled_place& s : m_border)
+      m_border_feet.push_back({s.triangle, s.point, 0, s.side, false});
   }
 
   void aim_from(const Start& start, std::vector<Sample>& aims)
   {
     m_points.clear();
-    for (const Sampled_place& s : m_cells)
+    const auto add = [&](const Sampled_place& s) {
       if (m_progress.go_on_after(10))
         m_points.push_back(relative(start.position(s.triangle, s.barycentric[0], s.barycentric[1])));
+    };
+    std::for_each(m_cells.begin(), m_cells.end(), add);
+    for (const Sampled_place& s : m_edges)
+      m_points.push_back(relative(s.point)); // these aim where they are
+    std::for_each(m_border.begin(), m_border.end(), add);
     if (!m_progress.is_interrupted())
       move_aims(aims);
   }
@@ -183,9 +193,9 @@ private:
                    CGAL::to_double(FT(p[2] + m_fitted.origin()[2])));
   }
 
-  // Those of the cells, then those of the edges. Their weights are between areas and equal ones: were they areas, the
-  // surface in a narrow cell would be what its large neighbours make of it. Along a sharp edge, a strip of a cell's
-  // quarter counts once more.
+  // Those of the cells, then those of the edges, then those of the border. Their weights are between areas and equal ones:
+  // were they areas, the surface in a narrow cell would be what its large neighbours make of it. Along a sharp edge, a strip
+  // of a cell's quarter counts once more. The border is a curve that the surface has to meet: it counts several times.
   std::vector<Sample> fitting_samples() const
   {
     std::vector<Sample> result;
@@ -196,6 +206,8 @@ private:
       add(s, 1);
     for (const Sampled_place& s : m_edges)
       add(s, 0.25);
+    for (const Sampled_place& s : m_border)
+      add(s, 4);
     return result;
   }
 
@@ -207,6 +219,7 @@ private:
     report.status = T_spline_fit_status::UNDERDETERMINED;
     if (!system.solve(solver, m_control_points))
       return false;
+    put_corners();
     const auto move = [&] {
       system.evaluate(m_control_points, m_points);
       return move_aims(aims);
@@ -225,6 +238,7 @@ private:
       system.set_points(aims);
       if (!system.solve_for_points(solver, m_control_points))
         return false;
+      put_corners();
       const double before = report.error.rms;
       const std::vector<std::array<FT, 3>> plain = m_control_points;
       m_control_points = accelerated(acceleration, last, plain);
@@ -238,6 +252,13 @@ private:
         break;
     }
     return true;
+  }
+
+  // Where the border has corners the surface meets them.
+  void put_corners()
+  {
+    for (const auto& corner : m_border_corners)
+      m_control_points[corner.vertex] = relative(corner.point);
   }
 
   static std::vector<std::array<FT, 3>> accelerated(Anderson_acceleration<FT>& acceleration,
@@ -276,7 +297,7 @@ private:
     system.set_fairness(areas, stiffness);
   }
 
-  // The samples of the cells aim at the points of the mesh that are closest to the surface there. Where that is farther
+  // Those of the border aim at the border in the same way. The samples of the cells aim at the points of the mesh that are closest to the surface there. Where that is farther
   // than a cell from where the map has them, they aim at the mesh next to the point that far on the way.
   // Returns the root mean square of the distances. If the progress is interrupted, feet are missing.
   double move_aims(std::vector<Sample>& aims)
@@ -296,6 +317,21 @@ private:
         aim = m_walk.closest(sample.point + (sample.reach / length) * way, sample.triangle);
       m_triangles[i] = aim.triangle;
       aims[i].point = relative(aim.point);
+    }
+    for (std::size_t i = 0, k = m_cells.size() + m_edges.size(); i < m_border.size() && m_progress.go_on_after(10);
+         ++i, ++k) {
+      const Sampled_place& sample = m_border[i];
+      const Point_3 q = absolute(m_points[k]);
+      m_border_feet[i] = m_walk.closest_on_border(q, m_border_feet[i].triangle, m_border_feet[i].side);
+      sum += sample.area * m_border_feet[i].squared_distance;
+      area += sample.area;
+      const Vector_3 way = q - sample.point;
+      const double length = std::sqrt(way.squared_length());
+      aims[k].point = relative(
+          length > sample.reach
+              ? m_walk.closest_on_border(sample.point + (sample.reach / length) * way, sample.triangle, sample.side)
+                    .point
+              : m_border_feet[i].point);
     }
     return std::sqrt(sum / area);
   }
@@ -322,6 +358,9 @@ private:
                         : Fold_state::FOLDED;
       }
     }
+    for (std::size_t i = 0; i < m_border.size(); ++i)
+      m_faces[m_border[i].face].distance =
+          (std::max)(m_faces[m_border[i].face].distance, std::sqrt(m_border_feet[i].squared_distance));
     measure_points_of_mesh(tolerance, compiled);
     report.error.maximum = 0;
     for (const Face_fit& face : m_faces)
@@ -396,11 +435,14 @@ private:
   std::vector<double> m_stiffness; // of the faces
   Axis_parallel_box<double> m_box;
   double m_mean_area = 0; // of a sample of the cells
-  std::vector<Sampled_place> m_cells, m_edges, m_corners;
+  std::vector<Sampled_place> m_cells, m_edges, m_border, m_corners;
+  std::vector<typename Surface_sampling<Graph, FT>::Border_corner> m_border_corners;
   std::vector<std::array<FT, 3>> m_control_points; // relative to the origin
   std::vector<std::array<FT, 3>> m_points;         // of the surface, at the samples, those of the cells first; likewise
   std::vector<std::size_t> m_triangles;            // per sample of the cells: that of the point that it aims at
   std::vector<Surface_walk::Foot> m_feet;          // likewise: the point of the mesh closest to the surface
+  std::vector<Surface_walk::Foot>
+      m_border_feet; // per sample of the border: the point of the mesh's border closest to it
   std::vector<Face_fit> m_faces;
 };
 

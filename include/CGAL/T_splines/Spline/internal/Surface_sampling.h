@@ -31,7 +31,8 @@ struct Sampled_place {
   Surface_walk::Point_3 point;
   double area;                            ///< for which the sample stands; 0 if it is only to be measured
   double reach;                           ///< the size of its Bezier cell on the surface
-  std::array<double, 2> barycentric = {}; ///< coordinates of the point at the second and third corner; of cells only
+  std::array<double, 2> barycentric = {}; ///< coordinates of the point at the second and third corner; not of edges
+  int side = -1;                          ///< of the triangle, from corner `side` on, for a point of the border
 };
 
 /// Takes samples of a carried surface as the Bezier cells of a spline over the T-mesh ask for them.
@@ -68,6 +69,41 @@ public:
       add_grid(n, samples);
     }
     return samples;
+  }
+
+  /// `n` places per Bezier cell on those sides of faces where the border of the surface is.
+  std::vector<Sampled_place> border(const int n)
+  {
+    std::vector<Sampled_place> samples;
+    for (int f = 0; f < m_basis.t_mesh().number_of_faces() && m_progress.go_on_after(work_per_face); ++f) {
+      enter(f);
+      m_progress.go_on_after(work_per_image * images().size());
+      for (const Image& image : images())
+        for (int i = 0; i < 3; ++i)
+          if (m_walk.across(image.triangle, static_cast<std::size_t>(i)) == image.triangle)
+            add_border_edge(image, i, n, samples);
+    }
+    return samples;
+  }
+
+  /// A vertex of the T-mesh at a corner of the border, and where that is on the surface.
+  struct Border_corner {
+    int vertex;
+    Point_3 point;
+  };
+
+  /// The corners of the border that turn outwards: there the surface is where its control point is.
+  std::vector<Border_corner> border_corners() const
+  {
+    std::vector<Border_corner> result;
+    const auto& t_mesh = m_basis.t_mesh();
+    for (int v = 0; v < t_mesh.number_of_vertices(); ++v)
+      if (t_mesh.incoming(v) >= 0 && t_mesh.is_border_vertex(v) && t_mesh.extended_valence(v) == 1)
+        t_mesh.for_each_incoming(v, [&](const int h) {
+          if (const Point_3* const p = point_at_target(h); p != nullptr)
+            result.push_back({v, *p});
+        });
+    return result;
   }
 
   /// The points of the surface that triangles have as corners, each once.
@@ -283,6 +319,63 @@ private:
       samples.push_back({m_face, std::clamp(a[0] + x * (b[0] - a[0]), 0., m_width),
                          std::clamp(a[1] + x * (b[1] - a[1]), 0., m_height), image.triangle, p + x * (q - p),
                          cell / (per_cell * per_cell), std::sqrt(cell)});
+    }
+  }
+
+  // The point that triangles have as a corner where a halfedge of a face ends; null if there is none.
+  const Point_3* point_at_target(const int h) const
+  {
+    const auto& t_mesh = m_basis.t_mesh();
+    const int f = t_mesh.face(h);
+    const auto place = t_mesh.target_point(h);
+    const double eps_u = same_point * CGAL::to_double(t_mesh.width(f)),
+                 eps_v = same_point * CGAL::to_double(t_mesh.height(f));
+    for (const Image& image : m_surface.images(m_indexing.face(f)))
+      for (int i = 0; i < 3; ++i)
+        if (std::abs(image.corners[i][0] - CGAL::to_double(place.first)) <= eps_u &&
+            std::abs(image.corners[i][1] - CGAL::to_double(place.second)) <= eps_v)
+          return &m_surface.points()[m_surface.triangles()[image.triangle][i]];
+    return nullptr;
+  }
+
+  // The places in the part of a side that an edge of the border covers.
+  void add_border_edge(const Image& image, const int i, const int n, std::vector<Sampled_place>& samples) const
+  {
+    const Parameters &a = image.corners[i], &b = image.corners[(i + 1) % 3];
+    const std::array<double, 2> size = {m_width, m_height};
+    const int along = std::abs(b[0] - a[0]) >= std::abs(b[1] - a[1]) ? 0 : 1, across = 1 - along;
+    const double eps = same_point * size[across], middle = (a[across] + b[across]) / 2;
+    const bool is_first = std::abs(middle) <= eps;
+    if (a[along] == b[along] || (!is_first && std::abs(middle - size[across]) > eps))
+      return;
+    const std::vector<FT>&cuts = along == 0 ? m_u : m_v, &cuts_across = along == 0 ? m_v : m_u;
+    const std::size_t last = cuts_across.size() - 1;
+    const double depth =
+        CGAL::to_double(is_first ? FT(cuts_across[1] - cuts_across[0]) : FT(cuts_across[last] - cuts_across[last - 1]));
+    const std::vector<double> places = middles(cuts, n);
+    const auto [low, high] = std::minmax(a[along], b[along]);
+    const auto& t = m_surface.triangles()[image.triangle];
+    const Point_3 &p = m_surface.points()[t[i]], &q = m_surface.points()[t[(i + 1) % 3]];
+    for (std::size_t k = std::lower_bound(places.begin(), places.end(), low) - places.begin();
+         k < places.size() && places[k] < high; ++k) {
+      const double x = (places[k] - a[along]) / (b[along] - a[along]);
+      std::array<double, 3> barycentric = {};
+      barycentric[i] = 1 - x;
+      barycentric[(i + 1) % 3] = x;
+      const std::size_t c = k / static_cast<std::size_t>(n);
+      const double cell = CGAL::to_double(FT(cuts[c + 1] - cuts[c])) * depth * area_of_unit(image);
+      std::array<double, 2> place = {};
+      place[along] = places[k];
+      place[across] = is_first ? 0 : size[across];
+      samples.push_back({m_face,
+                         place[0],
+                         place[1],
+                         image.triangle,
+                         p + x * (q - p),
+                         cell / (n * n),
+                         std::sqrt(cell),
+                         {barycentric[1], barycentric[2]},
+                         i});
     }
   }
 

@@ -91,6 +91,23 @@ public:
     return foot;
   }
 
+  /// The point of the border closest to `q`, as far as one gets from edge to neighbouring edge always coming closer.
+  /// \param triangle, side where to begin: an edge of the border, from corner `side` on
+  Foot closest_on_border(const Point_3& q, const std::size_t triangle, const int side) const
+  {
+    constexpr double closer = 1 - 1e-12;
+    for (Foot foot = closest_of_side(q, triangle, side);;) {
+      const Foot before = foot;
+      for (const int end : {0, 1}) {
+        const Foot other = closest_of_neighbor(q, before, end);
+        if (other.squared_distance < foot.squared_distance)
+          foot = other;
+      }
+      if (!(foot.squared_distance < before.squared_distance * closer))
+        return foot;
+    }
+  }
+
   /// Whether a normal points against the surface at a foot: at an edge or a corner, against all triangles around.
   bool is_against(const Vector_3& n, const Foot& foot) const
   {
@@ -158,6 +175,29 @@ private:
   {
     const Triangle_point p = closest_of_triangle(q, m_corners[t]);
     return {t, p.point, CGAL::squared_distance(q, p.point), p.side, p.is_at_corner};
+  }
+
+  Foot closest_of_side(const Point_3& q, const std::size_t t, const int side) const
+  {
+    const Point_3 &a = m_points[m_triangles[t][side]], &b = m_points[m_triangles[t][(side + 1) % 3]];
+    const Vector_3 way = b - a;
+    const double length = way.squared_length(), x = length > 0 ? std::clamp((q - a) * way / length, 0., 1.) : 0;
+    const Point_3 p = a + x * way;
+    return {t, p, CGAL::squared_distance(q, p), side, x == 0 || x == 1};
+  }
+
+  // Of the edge of the border that meets that of a foot at its begin (0) or its end (1).
+  Foot closest_of_neighbor(const Point_3& q, const Foot& foot, const int end) const
+  {
+    const std::size_t common = m_triangles[foot.triangle][(foot.side + end) % 3];
+    Foot result = foot;
+    m_stars.for_each_around(common, [&](const std::size_t t) {
+      for (int i = 0; i < 3; ++i)
+        if (m_triangles[t][(i + 1 - end) % 3] == common && m_across[t][i] == t &&
+            !(t == foot.triangle && i == foot.side))
+          result = closest_of_side(q, t, i);
+    });
+    return result;
   }
 
   const std::vector<Point_3>& m_points;

@@ -270,7 +270,8 @@ private:
     int direction;        // of the ray that comes closer to it, in the frame of the vertex
     double distance;      // between the two
     double rings_per_ray; // units of the rings per unit of the ray
-    int intersections;    // number of those before the face at the extraordinary vertex
+    bool ends_before;     // the support ends before the face at the extraordinary vertex
+    int intersections;    // number of those before this face
     int interval;         // of the ray, the one to be split
     double begin;         // where it begins, as a distance from the extraordinary vertex
     double target, high;  // where to split it, likewise
@@ -281,19 +282,23 @@ private:
     }
   };
 
+  // Next to a border not all intersections are knots: another one may be needed where there are two.
   template <typename KnotFT>
   View view(const Vertex_rays<KnotFT>& rays, const int direction, const double distance,
             const double rings_per_ray) const
   {
     const Knot_ray<KnotFT>& ray = rays[direction];
-    const auto place = [&](const int i) { return distance - rings_per_ray * CGAL::to_double(ray.distance[i]); };
-    View result{direction, distance, rings_per_ray, 0, 0, distance, 2, (std::min)(3., distance - 0.25)};
-    while (result.intersections < 2 && place(result.intersections) >= 1 - round_off_of_rings)
+    const auto place_at = [&](const KnotFT& x) { return distance - rings_per_ray * CGAL::to_double(x); };
+    const auto place = [&](const int i) { return i < 0 ? distance : place_at(ray.distance[i]); };
+    const double first = 1 - round_off_of_rings;
+    View result{direction, distance, rings_per_ray, place_at(axis_knots(ray, rays[(direction + 2) % 4])[4]) >= first,
+                0,         0,        distance,      2,
+                0};
+    while (result.intersections < 2 && place(result.intersections) >= first)
       ++result.intersections;
-    if (result.intersections != 1 || place(0) < 1.5)
-      return result;
-    result.interval = 1;
-    result.begin = place(0);
+    const int n = result.intersections;
+    result.interval = n > 0 && place(n - 1) < 1.5 ? n - 1 : n;
+    result.begin = place(result.interval - 1);
     result.high = (std::min)(3., result.begin - 0.25);
     result.target = result.begin >= 2.25 ? 2 : (1 + result.begin) / 2;
     return result;
@@ -317,10 +322,11 @@ private:
       if (views[1].is_better_than(views[0]))
         std::swap(views[0], views[1]);
       for (const View& v : views)
-        if (v.distance > 3 - round_off_of_rings && v.intersections < 2 &&
+        if (v.distance > 3 - round_off_of_rings && !v.ends_before &&
             split_interval(state, rays[v.direction], v) != Split::IMPOSSIBLE)
           return;
-      m_cones_to_do.push_back(state.indexing.vertex(cone_of_rays(state, rays)));
+      const int in_the_way = cone_of_rays(state, rays);
+      m_cones_to_do.push_back(state.indexing.vertex(in_the_way != none ? in_the_way : defect.extraordinary_vertex));
       return;
     }
     m_cones_to_do.push_back(state.indexing.vertex(defect.vertex));

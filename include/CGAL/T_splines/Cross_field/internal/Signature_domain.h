@@ -1,12 +1,14 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_CLOSED_MESH_H
-#define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_CLOSED_MESH_H
+#ifndef CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_SIGNATURE_DOMAIN_H
+#define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_SIGNATURE_DOMAIN_H
 
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
 #include <CGAL/T_splines/Cross_field/check_triangle_mesh.h>
+#include <CGAL/T_splines/Cross_field/internal/Border_guide.h>
+#include <CGAL/T_splines/Cross_field/internal/border_arcs.h>
 #include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
 #include <CGAL/T_splines/Cross_field/support/homology_loops.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
@@ -27,23 +29,16 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-template <typename TriangleMesh, typename NamedParameters>
-Triangle_mesh_report<TriangleMesh> check_closed_mesh(const TriangleMesh& mesh, const NamedParameters& np,
-                                                     Progress& progress)
-{
-  return triangle_mesh_report(mesh, false, np, progress);
-}
-
-/// A mesh that `check_closed_mesh()` accepts, in index arrays: what signatures are made from.
+/// A mesh that `check_triangle_mesh()` accepts, in index arrays: what signatures are made for.
 template <typename TriangleMesh>
-struct Closed_mesh {
+struct Signature_domain {
   Mesh_indexing<TriangleMesh> m_indexing;
   Triangulation_connectivity m_connectivity;
   Triangle_geometry m_geometry;
   Mesh_components m_components;
 
   template <typename NamedParameters>
-  Closed_mesh(const TriangleMesh& mesh, const NamedParameters& np)
+  Signature_domain(const TriangleMesh& mesh, const NamedParameters& np)
     : m_indexing(mesh),
       m_connectivity(triangulation_connectivity(m_indexing)),
       m_geometry(triangle_geometry(
@@ -52,6 +47,12 @@ struct Closed_mesh {
                                              get_const_property_map(CGAL::vertex_point, mesh)))),
       m_components(mesh_components(m_connectivity))
   {
+  }
+
+  /// The arcs of `Border_arcs`; not all of them if `progress` is interrupted.
+  std::vector<std::vector<int>> short_arcs(Progress& progress) const
+  {
+    return Border_arcs(m_connectivity, dual_edge_lengths(m_connectivity, m_geometry)).compute(progress);
   }
 
   /// The loops of `homology_loops()`; not all of them if `progress` is interrupted.
@@ -70,6 +71,13 @@ struct Closed_mesh {
     return result;
   }
 
+  /// How the border guides a field; see the function with this name.
+  template <typename NamedParameters>
+  Border_guide guide(const NamedParameters& np) const
+  {
+    return border_guide(m_indexing, m_connectivity, m_geometry, np);
+  }
+
   /// names component `c` in a report.
   void name_component(const int c, Holonomy_signature_report<TriangleMesh>& report) const
   {
@@ -77,31 +85,41 @@ struct Closed_mesh {
     report.face = m_indexing.face(m_components.first_face[c]);
   }
 
-  /// checks that the numbers of quarter turns of the cones are positive and satisfy the theorem of Gauss and Bonnet in each
-  /// component.
+  /// checks that cones are inner vertices and corners on the border, that their numbers of quarter turns are positive, and
+  /// that these satisfy the theorem of Gauss and Bonnet in each component.
   void check_cones(const Holonomy_signature<TriangleMesh>& signature,
                    Holonomy_signature_report<TriangleMesh>& report) const
   {
+    using Signature = Holonomy_signature<TriangleMesh>;
+    const std::vector<int> curve = curves_of_vertices(m_connectivity, border_curves(m_connectivity));
     std::vector<int> sum(m_components.size(), 0);
-    for (std::size_t i = 0; i < signature.cones().size(); ++i) {
-      const auto& [vertex, k] = signature.cones()[i];
-      if (k < 1) {
-        report.status = Holonomy_signature_status::NON_POSITIVE_CONE;
-        report.vertex = vertex;
-        report.index = i;
-        report.actual = k;
-        return;
+    const auto add = [&](const auto& numbers, const int regular, const bool is_corner) {
+      for (std::size_t i = 0; i < numbers.size() && report.success(); ++i) {
+        const auto& [vertex, k] = numbers[i];
+        const int v = m_indexing.vertex_index(vertex);
+        if ((curve[v] != Triangulation_connectivity::null) != is_corner)
+          report.status =
+              is_corner ? Holonomy_signature_status::CORNER_INSIDE : Holonomy_signature_status::CONE_ON_BORDER;
+        else if (k < 1)
+          report.status = Holonomy_signature_status::NON_POSITIVE_CONE;
+        if (!report.success()) {
+          report.vertex = vertex;
+          report.index = i;
+          report.is_corner = is_corner;
+          report.actual = k;
+        }
+        sum[m_components.of_vertex[v]] += regular - k;
       }
-      sum[m_components.of_vertex[m_indexing.vertex_index(vertex)]] += Holonomy_signature<TriangleMesh>::regular - k;
-    }
-    for (int c = 0; c < m_components.size(); ++c) {
+    };
+    add(signature.cones(), Signature::regular, false);
+    add(signature.corners(), Signature::regular_on_border, true);
+    for (int c = 0; c < m_components.size() && report.success(); ++c) {
       if (sum[c] == 4 * m_components.euler_characteristic[c])
         continue;
       report.status = Holonomy_signature_status::GAUSS_BONNET_VIOLATED;
       name_component(c, report);
       report.expected = 4 * m_components.euler_characteristic[c];
       report.actual = sum[c];
-      return;
     }
   }
 };
@@ -124,4 +142,4 @@ inline bool round_turns(const double turns, int& rounded, double& largest_deviat
 } // namespace T_splines
 } // namespace CGAL
 
-#endif // CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_CLOSED_MESH_H
+#endif // CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_SIGNATURE_DOMAIN_H

@@ -1,0 +1,214 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "open_meshes.h"
+
+#include <CGAL/T_splines/Cross_field/check_holonomy_signature.h>
+#include <CGAL/T_splines/Cross_field/compute_smooth_cross_field.h>
+#include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
+#include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
+#include <CGAL/T_splines/named_parameters.h>
+
+#include <CGAL/Random.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace border_test {
+
+namespace {
+
+using namespace open_meshes;
+namespace T = CGAL::T_splines;
+using Signature = T::Holonomy_signature<Mesh>;
+using Status = T::Holonomy_signature_status;
+
+struct Guided {
+  Signature signature;
+  std::map<int, int> corners; // how many have each number
+
+  explicit Guided(Mesh& mesh)
+  {
+    const auto field = mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:field").first;
+    const auto matching = mesh.add_property_map<Mesh::Halfedge_index, int>("h:matching").first;
+    const auto np = T::parameters::halfedge_matching_map(matching);
+    REQUIRE(T::compute_smooth_cross_field(mesh, field, np));
+    const auto report = T::holonomy_signature_of_cross_field(mesh, field, signature, np);
+    INFO(describe(report, mesh));
+    REQUIRE(report);
+    CHECK(report.deviation < 1e-9);
+    CHECK(T::check_holonomy_signature(mesh, signature));
+    for (const auto& corner : signature.corners())
+      ++corners[corner.second];
+  }
+};
+
+} // namespace
+
+TEST_CASE("a plate has four corners, an L five and one that turns inwards, and neither has cones", "[border]")
+{
+  Mesh plate = open_meshes::plate(12, 7), l_shape = open_meshes::l_shape(10);
+  const Guided p(plate), l(l_shape);
+  CHECK(p.corners == std::map<int, int>{{1, 4}});
+  CHECK(p.signature.cones().empty());
+  CHECK(l.corners == std::map<int, int>{{1, 5}, {3, 1}});
+  CHECK(l.signature.cones().empty());
+  for (const auto& corner : p.signature.corners())
+    CHECK((plate.point(corner.first).x() == 0 || plate.point(corner.first).x() == 12));
+}
+
+TEST_CASE("how finely a border is divided, and its noise, do not make corners", "[border]")
+{
+  for (const int n : {6, 20, 60}) {
+    Mesh plate = open_meshes::plate(2 * n, n);
+    CGAL::Random random(n);
+    if (n > 6) // zigzag on two sides, of a third of the edges
+      for (const Vertex v : plate.vertices()) {
+        const Point_3 p = plate.point(v);
+        if (p.x() > 0 && p.x() < 2 * n && (p.y() == 0 || p.y() == n))
+          plate.point(v) = Point_3(p.x(), p.y() + random.get_double(-0.3, 0.3), 0);
+      }
+    INFO(n);
+    CHECK(Guided(plate).corners == std::map<int, int>{{1, 4}});
+    Mesh disk = open_meshes::disk(n);
+    const Guided round(disk);
+    CHECK(round.corners.empty());
+    CHECK(round.signature.cones().size() == 4);
+  }
+}
+
+TEST_CASE("the curves of a border are joined by arcs, one less than there are", "[border]")
+{
+  Mesh plate = perforated_plate(3, 4);
+  const Guided guided(plate);
+  CHECK(guided.signature.loops().empty());
+  CHECK(guided.signature.arcs().size() == 9);
+  CHECK(guided.corners == std::map<int, int>{{1, 4}, {3, 36}});
+  CHECK(guided.signature.cones().empty());
+  for (const auto& arc : guided.signature.arcs()) // straight across or around a corner of a hole
+    CHECK(std::abs(arc.quarter_turns) <= 1);
+
+  Mesh ring = annulus(3, 40, 8);
+  const Guided round(ring);
+  REQUIRE(round.signature.arcs().size() == 1);
+  CHECK(round.signature.arcs()[0].quarter_turns == 0);
+  CHECK(round.corners.empty());
+  CHECK(round.signature.cones().empty());
+}
+
+TEST_CASE("corners that are given are taken, and judged", "[border]")
+{
+  Mesh mesh = disk(8);
+  std::vector<Vertex> border;
+  for (const Vertex v : mesh.vertices())
+    if (mesh.is_border(v))
+      border.push_back(v);
+  const std::vector<std::pair<Vertex, int>> no_cones;
+  const auto signature_with = [&](const std::vector<std::pair<std::size_t, int>>& numbers, Signature& signature) {
+    std::vector<Signature::Corner> corners;
+    for (const auto& [i, k] : numbers)
+      corners.emplace_back(border[i], k);
+    return T::holonomy_signature_of_cones(mesh, no_cones, signature,
+                                          T::parameters::corners(std::make_optional(corners)));
+  };
+  Signature signature;
+  CHECK(signature_with({{0, 1}, {12, 1}, {24, 1}, {36, 1}}, signature));
+  CHECK(signature.corners().size() == 4);
+  CHECK(signature.corner_quarter_turns(border[12]) == 1);
+  CHECK(signature.corner_quarter_turns(border[13]) == 2);
+  const auto too_few = signature_with({{0, 1}, {12, 1}, {24, 1}}, signature);
+  CHECK(too_few.status == Status::GAUSS_BONNET_VIOLATED);
+  CHECK(too_few.expected == 4);
+  CHECK(too_few.actual == 3);
+  CHECK(signature_with({{0, 1}, {12, 1}, {24, 1}, {36, 1}, {6, 0}, {7, 4}}, signature).status ==
+        Status::NON_POSITIVE_CONE);
+
+  Signature wrong;
+  wrong.set_quarter_turns(border[0], 3);
+  CHECK(T::check_holonomy_signature(mesh, wrong).status == Status::CONE_ON_BORDER);
+  wrong.clear();
+  wrong.set_corner_quarter_turns(*mesh.vertices().begin(), 3);
+  CHECK(T::check_holonomy_signature(mesh, wrong).status == Status::CORNER_INSIDE);
+}
+
+TEST_CASE("arcs must be strips that join all curves of the border", "[border]")
+{
+  Mesh mesh = perforated_plate(2, 3);
+  Signature signature = Guided(mesh).signature;
+  REQUIRE(signature.arcs().size() == 4);
+  const auto status_with = [&](std::vector<Signature::Arc> arcs) {
+    Signature changed;
+    for (const auto& corner : signature.corners())
+      changed.set_corner_quarter_turns(corner.first, corner.second);
+    for (const auto& arc : arcs)
+      changed.add_arc(arc.halfedges, arc.quarter_turns);
+    return T::check_holonomy_signature(mesh, changed).status;
+  };
+  std::vector<Signature::Arc> arcs = signature.arcs();
+  CHECK(status_with(arcs) == Status::VALID);
+  std::vector<Signature::Arc> changed(arcs.begin(), arcs.end() - 1);
+  CHECK(status_with(changed) == Status::WRONG_NUMBER_OF_ARCS);
+  changed.push_back(arcs[0]);
+  CHECK(status_with(changed) == Status::DEPENDENT_ARCS);
+  changed = arcs;
+  changed[1].halfedges.pop_back();
+  CHECK(status_with(changed) == Status::INVALID_ARC);
+  changed = arcs;
+  changed[2].halfedges[0] = Mesh::Halfedge_index(100000);
+  CHECK(status_with(changed) == Status::FOREIGN_ARC);
+}
+
+TEST_CASE("corners that cannot be are refused by all who take them, with their number", "[border]")
+{
+  Mesh mesh = plate(6, 6), other = plate(60, 60);
+  const auto field = mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:field").first;
+  REQUIRE(T::compute_smooth_cross_field(mesh, field));
+  const Vertex corner = *vertices(mesh).begin();
+  REQUIRE(bool(is_border(corner, mesh)));
+  const Vertex inner =
+      *std::find_if(vertices(mesh).begin(), vertices(mesh).end(), [&](const Vertex v) { return !is_border(v, mesh); });
+  using Corners = std::vector<Signature::Corner>;
+  const auto refused = [&](const Corners& corners, const Status status, const char* words) {
+    const auto np = T::parameters::corners(std::optional<Corners>(corners));
+    Signature signature;
+    const auto of_cones = T::holonomy_signature_of_cones(mesh, Corners(), signature, np);
+    const auto of_field = T::holonomy_signature_of_cross_field(mesh, field, signature, np);
+    const auto smooth = T::compute_smooth_cross_field(mesh, field, np);
+    CHECK(of_cones.status == status);
+    CHECK(of_field.status == status);
+    CHECK(smooth.status == T::Smooth_cross_field_status::INVALID_CORNERS);
+    CHECK(smooth.corners.status == status);
+    for (const std::string& text : {describe(of_cones, mesh), describe(of_field, mesh), describe(smooth, mesh)})
+      CHECK(text.find(words) != std::string::npos);
+  };
+  refused({{corner, 1}, {Mesh::null_vertex(), 1}}, Status::NULL_VERTEX, "no vertex: corner 1, counted from 0");
+  refused({{*std::prev(vertices(other).end()), 1}}, Status::FOREIGN_VERTEX, "edited: corner 0, counted from 0");
+  refused({{corner, 1}, {corner, 1}}, Status::DUPLICATE_CONE, "twice: vertex 0, counted from 0");
+  refused({{corner, 0}}, Status::NON_POSITIVE_CONE, "vertex 0, counted from 0, has k = 0");
+  refused({{inner, 1}}, Status::CORNER_INSIDE, "a corner is not on the border; make it a cone");
+}
+
+TEST_CASE("a field that does not follow the border is refused, with the edge and the angle", "[border]")
+{
+  Mesh mesh = plate(6, 6);
+  const auto field = mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:field").first;
+  for (const auto f : mesh.faces())
+    field[f] = Kernel::Vector_3(std::cos(0.6), std::sin(0.6), 0);
+  Signature signature;
+  const auto report = T::holonomy_signature_of_cross_field(mesh, field, signature);
+  CHECK(report.status == Status::FIELD_NOT_ALIGNED);
+  CHECK(report.deviation * 90 == Approx(0.6 * 180 / CGAL_PI));
+  CHECK(mesh.is_border(mesh.opposite(report.halfedge)));
+  CHECK(describe(report, mesh).find("34 degrees") != std::string::npos);
+}
+
+} // namespace border_test

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The T_splines authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the program does with open meshes, and with the corners that it is given.
+
+#include "../IO/Soup.h"
+#include "Map_run.h"
+#include "Program_test.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace border_test {
+
+namespace {
+
+/// A rectangle of n x m squares. The vertex at (i, j) has the number j (n + 1) + i.
+Soup plate(const std::size_t n, const std::size_t m)
+{
+  Soup soup;
+  for (std::size_t j = 0; j <= m; ++j)
+    for (std::size_t i = 0; i <= n; ++i)
+      soup.points.push_back({static_cast<double>(i), static_cast<double>(j), 0});
+  for (std::size_t j = 0; j < m; ++j)
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t v = j * (n + 1) + i;
+      soup.faces.push_back({v, v + 1, v + n + 2, v + n + 1});
+    }
+  return soup;
+}
+
+std::vector<std::array<double, 3>> vertices_of_obj(const std::string& file)
+{
+  std::vector<std::array<double, 3>> result;
+  std::ifstream lines(file);
+  std::string line, word;
+  while (std::getline(lines, line)) {
+    std::istringstream words(line);
+    std::array<double, 3> p{};
+    if (words >> word && word == "v" && words >> p[0] >> p[1] >> p[2])
+      result.push_back(p);
+  }
+  return result;
+}
+
+std::string written(const Temporary_directory& directory, const std::string& text)
+{
+  const std::string name = directory.file("corners.bcones");
+  std::ofstream(name) << text;
+  return name;
+}
+
+} // namespace
+
+TEST_CASE("a plate becomes a flat surface that ends where it ends, and meets its corners")
+{
+  const Temporary_directory directory;
+  const std::string mesh = directory.file("plate.off"), output = directory.file("output");
+  plate(8, 5).write(mesh);
+  const Program_run run("'" + mesh + "' -o '" + output + "'");
+  CAPTURE(run.errors);
+  REQUIRE(run.exit_code == 0);
+  CHECK(contains(run.output, "a border of 1 curve"));
+  CHECK(contains(run.output, "0 cones, 4 corners (k = 1: 4)"));
+  const std::vector<std::array<double, 3>> points = vertices_of_obj(output + "/t_spline.obj");
+  REQUIRE(points.size() > 4);
+  for (const auto& p : points) {
+    REQUIRE(std::abs(p[2]) <= 1e-12);
+    REQUIRE(std::max(std::abs(p[0] - 4) - 4, std::abs(p[1] - 2.5) - 2.5) <= 1e-9);
+  }
+  for (const std::array<double, 2>& corner : {std::array<double, 2>{0, 0}, {8, 0}, {8, 5}, {0, 5}})
+    CHECK(std::any_of(points.begin(), points.end(), [&](const std::array<double, 3>& p) {
+      return std::abs(p[0] - corner[0]) <= 1e-9 && std::abs(p[1] - corner[1]) <= 1e-9;
+    }));
+}
+
+TEST_CASE("corners are found, given, or left out")
+{
+  const Map_run found(plate(8, 5), ".off", "");
+  REQUIRE(found.run.exit_code == 0);
+  CHECK(contains(found.run.output, "0 cones, 4 corners (k = 1: 4)"));
+  const Map_run blunt(plate(8, 5), ".off", "--corner-angle 100");
+  REQUIRE(blunt.run.exit_code == 0);
+  CHECK_FALSE(contains(blunt.run.output, "corner"));
+  const Map_run none(plate(8, 5), ".off", "--no-corners");
+  REQUIRE(none.run.exit_code == 0);
+  CHECK_FALSE(contains(none.run.output, "corner"));
+  const Temporary_directory directory;
+  const Map_run given(plate(8, 5), ".off", "--corners '" + written(directory, "0 1\n8 1\n4 1\n53 1\n") + "'");
+  CAPTURE(given.run.errors);
+  REQUIRE(given.run.exit_code == 0);
+  CHECK(contains(given.run.output, "4 corners (k = 1: 4)"));
+  CHECK(contains(given.report(), "\"vertex\": 4"));
+}
+
+TEST_CASE("corners that cannot be are refused, with the file and the vertex")
+{
+  const Temporary_directory directory;
+  const auto refusal = [&](const std::string& text) {
+    const Map_run run(plate(8, 5), ".off", "--corners '" + written(directory, text) + "'");
+    CHECK(run.run.exit_code == 2);
+    return run.run.errors;
+  };
+  CHECK(contains(refusal("0 1\n20 1\n"), "a corner is not on the border; make it a cone: vertex 20, counted from 0"));
+  CHECK(contains(refusal("0 1\n0 1\n"), "corners.bcones: line 2"));
+  CHECK(contains(refusal("0 0\n"), "corners.bcones: line 1"));
+  CHECK(contains(refusal("99 1\n"), "corners.bcones: line 1"));
+  CHECK(contains(refusal("0 1 8\n"), "corners.bcones"));
+  CHECK(contains(failing_run("x.off --corners a.bcones --no-corners").errors, "--corners and --no-corners"));
+  CHECK(contains(failing_run("x.off --corners a.bcones --corner-angle 30").errors, "--corners and --corner-angle"));
+  CHECK(contains(failing_run("x.off --no-corners --corner-angle 30").errors, "--corner-angle and --no-corners"));
+  CHECK(contains(failing_run("x.off --corner-angle 0").errors, "--corner-angle"));
+}
+
+TEST_CASE("a border that turns inwards has a map and a T-mesh, and no surface, which is said")
+{
+  Soup l_shape;
+  for (std::size_t i = 0; i < 9; ++i)
+    l_shape.points.push_back({static_cast<double>(i % 3), static_cast<double>(i / 3), 0});
+  l_shape.faces = {{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}};
+  l_shape.points.pop_back();
+  const Map_run map(l_shape, ".off", "");
+  CAPTURE(map.run.errors);
+  REQUIRE(map.run.exit_code == 0);
+  CHECK(contains(map.run.output, "6 corners (k = 1: 5, k = 3: 1)"));
+  const Temporary_directory directory;
+  const std::string mesh = directory.file("l.off"), output = directory.file("output");
+  l_shape.write(mesh);
+  CHECK(Program_run("'" + mesh + "' --no-spline -o '" + output + "'").exit_code == 0);
+  const Program_run run("'" + mesh + "' -o '" + output + "'");
+  CHECK(run.exit_code != 0);
+  CHECK(contains(run.errors, "the border turns inwards at a vertex"));
+}
+
+} // namespace border_test
