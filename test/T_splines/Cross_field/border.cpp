@@ -167,6 +167,47 @@ TEST_CASE("arcs must be strips that join all curves of the border", "[border]")
   CHECK(status_with(changed) == Status::FOREIGN_ARC);
 }
 
+TEST_CASE("the field has the corners that are given, or it is said where it has not", "[border]")
+{
+  using Corners = std::vector<Signature::Corner>;
+  int refused = 0;
+  for (const int n : {8, 40}) {
+    Mesh mesh = plate(n, n / 2 + 1);
+    const auto field = mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:field").first;
+    const auto matching = mesh.add_property_map<Mesh::Halfedge_index, int>("h:matching").first;
+    Corners at_corners, others;
+    for (const Vertex v : mesh.vertices()) {
+      const Point_3 p = mesh.point(v);
+      if ((p.x() == 0 || p.x() == n) && (p.y() == 0 || p.y() == n / 2 + 1))
+        at_corners.emplace_back(v, 1);
+      if (p.x() == n / 2 && (p.y() == 0 || p.y() == n / 2 + 1))
+        others.emplace_back(v, 1);
+    }
+    REQUIRE(at_corners.size() == 4);
+    const Corners none, three(at_corners.begin(), at_corners.begin() + 3);
+    for (const Corners& corners : {none, three, others, at_corners}) {
+      const auto np =
+          T::parameters::halfedge_matching_map(matching, T::parameters::corners(std::optional<Corners>(corners)));
+      Signature signature;
+      REQUIRE(T::compute_smooth_cross_field(mesh, field, np));
+      const auto report = T::holonomy_signature_of_cross_field(mesh, field, signature, np);
+      INFO(describe(report, mesh));
+      if (!report) { // the mesh is too coarse for them
+        CHECK(report.status == Status::CORNERS_NOT_MET);
+        CHECK(corners.size() < 4);
+        CHECK(report.actual != report.expected);
+        ++refused;
+        continue;
+      }
+      CHECK(T::check_holonomy_signature(mesh, signature));
+      CHECK(signature.corners().size() == corners.size());
+      for (const auto& [v, k] : corners)
+        CHECK(signature.corner_quarter_turns(v) == k);
+    }
+  }
+  CHECK(refused < 4); // of eight
+}
+
 TEST_CASE("corners that cannot be are refused by all who take them, with their number", "[border]")
 {
   Mesh mesh = plate(6, 6), other = plate(60, 60);

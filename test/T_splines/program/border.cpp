@@ -94,11 +94,12 @@ TEST_CASE("corners are found, given, or left out")
   REQUIRE(none.run.exit_code == 0);
   CHECK_FALSE(contains(none.run.output, "corner"));
   const Temporary_directory directory;
-  const Map_run given(plate(8, 5), ".off", "--corners '" + written(directory, "0 1\n8 1\n4 1\n53 1\n") + "'");
+  const Map_run given(plate(8, 5), ".off", "--corners '" + written(directory, "0 1\n8 1\n53 1\n45 1\n") + "'");
   CAPTURE(given.run.errors);
   REQUIRE(given.run.exit_code == 0);
   CHECK(contains(given.run.output, "4 corners (k = 1: 4)"));
-  CHECK(contains(given.report(), "\"vertex\": 4"));
+  for (const char* vertex : {"0", "8", "45", "53"})
+    CHECK(contains(given.report(), std::string("\"vertex\": ") + vertex + ","));
 }
 
 TEST_CASE("corners that cannot be are refused, with the file and the vertex")
@@ -111,6 +112,7 @@ TEST_CASE("corners that cannot be are refused, with the file and the vertex")
   };
   CHECK(contains(refusal("0 1\n20 1\n"), "a corner is not on the border; make it a cone: vertex 20, counted from 0"));
   CHECK(contains(refusal("0 1\n0 1\n"), "corners.bcones: line 2"));
+  CHECK(contains(refusal("0 1\n8 1\n4 1\n53 1\n"), "vertex 4, counted from 0, has k = 2 instead of 1"));
   CHECK(contains(refusal("0 0\n"), "corners.bcones: line 1"));
   CHECK(contains(refusal("99 1\n"), "corners.bcones: line 1"));
   CHECK(contains(refusal("0 1 8\n"), "corners.bcones"));

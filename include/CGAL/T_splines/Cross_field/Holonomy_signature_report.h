@@ -41,8 +41,10 @@ enum class Holonomy_signature_status {
   VERTEX_NOT_INTEGER,    ///< the turns around `vertex` are not a multiple of pi/2 within 1e-6
   LOOP_NOT_INTEGER,      ///< the turns along loop number `index` are not a multiple of pi/2 within 1e-6
   ARC_NOT_INTEGER,       ///< the turns along arc number `index` are not a multiple of pi/2 within 1e-6
-  FIELD_NOT_ALIGNED,     ///< the field does not follow the border at `halfedge`: it is off by `deviation`
-  INTERRUPTED            ///< the visitor asked to stop
+  CORNERS_NOT_MET,   ///< the field makes `actual` quarter turns at `vertex`, on the border, where the corners that are
+                     ///< given say `expected`
+  FIELD_NOT_ALIGNED, ///< the field does not follow the border at `halfedge`: it is off by `deviation`
+  INTERRUPTED        ///< the visitor asked to stop
 };
 
 /// \ingroup PkgTSplinesCrossField
@@ -82,6 +84,10 @@ inline const char* message(const Holonomy_signature_status status)
   case Holonomy_signature_status::VERTEX_NOT_INTEGER: return "the field does not close up around a vertex";
   case Holonomy_signature_status::LOOP_NOT_INTEGER: return "the field does not close up along a loop";
   case Holonomy_signature_status::ARC_NOT_INTEGER: return "the field does not close up along an arc";
+  case Holonomy_signature_status::CORNERS_NOT_MET:
+    return "the field does not have the corners that are given; where the mesh is too coarse for them, it needs "
+           "smaller "
+           "triangles at the border";
   case Holonomy_signature_status::FIELD_NOT_ALIGNED: return "the field does not follow the border";
   case Holonomy_signature_status::INTERRUPTED: return "interrupted by the visitor";
   }
@@ -142,6 +148,10 @@ std::string describe(const Holonomy_signature_report<TriangleMesh>& report, cons
   case Status::NON_POSITIVE_CONE:
     text +=
         ": " + internal::vertex_in_words(report.vertex, mesh) + counted + ", has k = " + std::to_string(report.actual);
+    break;
+  case Status::CORNERS_NOT_MET:
+    text += ": " + internal::vertex_in_words(report.vertex, mesh) + counted +
+            ", has k = " + std::to_string(report.actual) + " instead of " + std::to_string(report.expected);
     break;
   case Status::GAUSS_BONNET_VIOLATED:
     text += ": the sum over component " + std::to_string(report.component) + numbers + " (off by " +

@@ -114,6 +114,24 @@ void signature_of_rotations(const Signature_domain<TriangleMesh>& mesh, const Fi
     mesh.check_cones(signature, report);
 }
 
+// Whether the signature of a field has the corners of the guide.
+template <typename TriangleMesh>
+void check_corners_are_met(const Signature_domain<TriangleMesh>& domain, const Border_guide& guide,
+                           const Holonomy_signature<TriangleMesh>& signature,
+                           Holonomy_signature_report<TriangleMesh>& report)
+{
+  for (int h = 0; h < domain.m_connectivity.number_of_halfedges() && report.success(); ++h) {
+    if (domain.m_connectivity.face(h) != Triangulation_connectivity::null)
+      continue;
+    const int v = domain.m_connectivity.target(h);
+    report.vertex = domain.m_indexing.vertex(v);
+    report.expected = guide.quarter_turns()[v];
+    report.actual = signature.corner_quarter_turns(report.vertex);
+    if (report.actual != report.expected)
+      report.status = Holonomy_signature_status::CORNERS_NOT_MET;
+  }
+}
+
 } // namespace internal
 
 /// \ingroup PkgTSplinesCrossField
@@ -216,8 +234,9 @@ holonomy_signature_of_cross_field(const TriangleMesh& mesh, const CrossFieldMap&
   internal::Field_holonomy field;
   int worst = internal::Triangulation_connectivity::null;
   double deviation = 0;
+  const internal::Border_guide guide = domain.guide(np);
   field.border_cross = internal::border_crosses(
-      domain.m_connectivity, domain.m_geometry, domain.guide(np),
+      domain.m_connectivity, domain.m_geometry, guide,
       internal::angles_to_halfedges(domain.m_connectivity, domain.m_geometry, angle), worst, deviation);
   if (deviation > internal::largest_border_deviation) {
     signature.clear();
@@ -230,6 +249,8 @@ holonomy_signature_of_cross_field(const TriangleMesh& mesh, const CrossFieldMap&
   Holonomy_signature<TriangleMesh> result;
   if (progress.go_on())
     internal::signature_of_rotations(domain, field, progress, result, report);
+  if (report.success() && !progress.is_interrupted() && internal::given_corners<TriangleMesh>(np))
+    internal::check_corners_are_met(domain, guide, result, report);
   if (progress.is_interrupted())
     report.status = Holonomy_signature_status::INTERRUPTED;
   else

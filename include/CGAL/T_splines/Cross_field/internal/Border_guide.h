@@ -152,16 +152,40 @@ private:
     }
   }
 
+  // Of a direction that turns by an eighth of a turn or more from edge to edge, nobody knows which way.
+  static constexpr double largest_turn_at_vertex = 0.99 * CGAL_PI / 4, spread_turn_at_vertex = CGAL_PI / 6;
+
+  // Where a sharp turn must not be a corner and its reach has too few vertices. The two edges of a face have one direction.
+  void spread_over_vertices(const Curve& curve, const std::size_t i, const double turn,
+                            std::vector<double>& spread) const
+  {
+    const std::size_t n = spread.size(), most_to_a_side = (n - 1) / 2;
+    const bool is_in_one_face = m_mesh.face(curve.halfedges[i]) == m_mesh.face(curve.halfedges[(i + n - 1) % n]);
+    const double wanted = std::ceil(std::abs(turn) / spread_turn_at_vertex);
+    const double to_a_side = std::ceil((wanted - (is_in_one_face ? 0 : 1)) / 2);
+    const std::size_t side = (std::min)(static_cast<std::size_t>(to_a_side), most_to_a_side);
+    const double share = turn / static_cast<double>(2 * side + (is_in_one_face && side > 0 ? 0 : 1));
+    for (std::size_t k = is_in_one_face && side > 0 ? 1 : 0; k <= side; ++k) {
+      spread[(i + k) % n] += share;
+      if (k > 0)
+        spread[(i + n - k) % n] += share;
+    }
+  }
+
   void find_deviations()
   {
     for (const Curve& curve : m_curves) {
       const std::size_t n = curve.halfedges.size();
       std::vector<double> spread(n, 0.);
       for (std::size_t i = 0; i < n; ++i) {
+        const double whole = turn_without_corner(vertex(curve, i));
         double total = 0;
         for_each_in_reach(curve, i, [&](std::size_t, const double weight) { total += weight; });
-        const double turn = turn_without_corner(vertex(curve, i)) / total;
-        for_each_in_reach(curve, i, [&](const std::size_t j, const double weight) { spread[j] += weight * turn; });
+        const double turn = whole / total;
+        if (std::abs(turn) > largest_turn_at_vertex)
+          spread_over_vertices(curve, i, whole, spread);
+        else
+          for_each_in_reach(curve, i, [&](const std::size_t j, const double weight) { spread[j] += weight * turn; });
       }
       double deviation = 0, mean = 0;
       for (std::size_t i = 0; i < n; ++i) {
