@@ -167,14 +167,6 @@ TEST_CASE("what cannot be approximated is refused, with the element, and the spl
     mesh.clear();
     CHECK_FALSE(check(Status::INVALID_MESH, T::approximate_by_T_spline(mesh, spline)).empty());
   }
-  SECTION("a hole whose corners turn inwards")
-  {
-    CGAL::Euler::remove_face(mesh.halfedge(Mesh::Face_index(7)), mesh);
-    const auto report = T::approximate_by_T_spline(mesh, spline);
-    CHECK(check(Status::FIT_FAILED, report).find("the border turns inwards") != std::string::npos);
-    CHECK(report.fit.status == T::Adaptive_fit_status::NOT_SPLINE_COMPATIBLE);
-    CHECK(report.fit.incompatibility == T::Spline_compatibility_status::UNSUPPORTED_BORDER_VERTEX);
-  }
   SECTION("no number")
   {
     mesh.point(Mesh::Vertex_index(5)) = Kernel::Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);

@@ -107,13 +107,14 @@ TEST_CASE("borders that carry no spline are refused", "[T_spline_report]")
   narrow.set_random_controls(random);
   CHECK(narrow.surface().report().compatibility.status == Spline_compatibility_status::TOO_FEW_BORDER_INTERVALS);
 
-  // An L with a reflex corner.
-  Faces<double> faces = test_t_meshes::rectangle<double>(6, 6);
-  for (int i = 0; i < 3; ++i)
-    faces.erase(faces.begin() + 33 - 6 * i, faces.begin() + 36 - 6 * i);
-  Mesh bent(faces);
+  Mesh touching(test_t_meshes::squares<double>({{0, 1, 2, 3}, {4, 5, 6, 7}}));
+  test_t_meshes::join_corners_of_two_faces(touching);
+  touching.set_random_controls(random);
+  CHECK(touching.surface().report().compatibility.status == Spline_compatibility_status::TOUCHING_BORDERS);
+
+  Mesh bent(test_t_meshes::fan<double>(3, 2));
   bent.set_random_controls(random);
-  CHECK(bent.surface().report().compatibility.status == Spline_compatibility_status::UNSUPPORTED_BORDER_VERTEX);
+  CHECK(bent.surface().report().compatibility.status == Spline_compatibility_status::IRREGULAR_RINGS);
 }
 
 } // namespace T_spline_report_test

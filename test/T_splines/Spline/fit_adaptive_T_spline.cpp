@@ -117,20 +117,20 @@ struct Failing_solver {
   bool solve(const std::vector<double>&, std::vector<double>&) const { return false; }
 };
 
-// Three squares around a corner of the border that turns inwards, which no refinement makes spline compatible.
-struct Inward_corner {
+// Two squares that share one vertex, where the border meets itself: no refinement makes that spline compatible.
+struct Touching_squares {
   T::T_mesh<Point_3> t_mesh;
   T::Carried_surface<Mesh> surface;
 
-  Inward_corner()
+  Touching_squares()
   {
     Mesh& graph = t_mesh.graph();
     std::vector<Mesh::Vertex_index> v;
-    for (int i = 0; i < 8; ++i) { // (2, 2) is missing
+    for (int i = 0; i < 9; ++i) {
       v.push_back(graph.add_vertex(Point_3(i % 3, i / 3, 0.1 * (i % 3) * (i / 3))));
       surface.add_point({graph.point(v.back()).x(), graph.point(v.back()).y(), graph.point(v.back()).z()});
     }
-    for (const std::size_t i : {0, 1, 3}) {
+    for (const std::size_t i : {0, 4}) {
       const Mesh::Face_index f = graph.add_face(v[i], v[i + 1], v[i + 4], v[i + 3]);
       std::vector<std::size_t> corners; // from the origin of the frame
       for (const Mesh::Halfedge_index h : graph.halfedges_around_face(graph.halfedge(f))) {
@@ -310,15 +310,16 @@ TEST_CASE("Bad input of an adaptive fit is refused, and nothing is written")
     CHECK(report.fit.status == T::T_spline_fit_status::UNDERDETERMINED);
     CHECK(report.levels.empty());
   }
-  SECTION("a border that turns inwards")
+  SECTION("a border that meets itself")
   {
-    const Inward_corner corner;
+    const Touching_squares squares;
     Result result;
-    const auto report = T::fit_adaptive_T_spline(corner.t_mesh, corner.surface, 0.1, result);
+    const auto report = T::fit_adaptive_T_spline(squares.t_mesh, squares.surface, 0.1, result);
     CHECK(report.status == Status::NOT_SPLINE_COMPATIBLE);
+    CHECK(report.incompatibility == T::Spline_compatibility_status::TOUCHING_BORDERS);
     CHECK(report.levels.empty());
     CHECK(result.number_of_control_points() == 0);
-    CHECK_FALSE(describe(report, corner.t_mesh.graph()).empty());
+    CHECK_FALSE(describe(report, squares.t_mesh.graph()).empty());
   }
   SECTION("knots")
   {

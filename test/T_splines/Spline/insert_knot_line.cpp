@@ -370,6 +370,21 @@ TEST_CASE("around cones with another holonomy", "[insert_knot_line]")
   }
 }
 
+TEST_CASE("around corners of the border that turn inwards", "[insert_knot_line]")
+{
+  CGAL::Random random(6);
+  for (const int quarters : {3, 4}) {
+    Exact_mesh t(test_t_meshes::fan<Rational>(quarters, 8));
+    t.set_random_controls(random);
+    Marked_surface<Exact_mesh> surface(t, 3, random);
+    CHECK(surface.insert(t.face_list[3], 0, 3).status == Status::AT_EXTRAORDINARY_VERTEX);
+    CHECK(surface.insert(t.face_list[4], 0, 3).status == Status::INSERTED);
+    surface.insert_randomly(16, random);
+    CHECK(surface.count(Status::INSERTED) > 4);
+    CHECK(surface.count(Status::AT_EXTRAORDINARY_VERTEX) > 1);
+  }
+}
+
 TEST_CASE("a line along the third ring changes nothing, exactly", "[insert_knot_line]")
 {
   CGAL::Random random(12);

@@ -218,28 +218,26 @@ TEST_CASE("cones of one or two quarter turns need rings as others do", "[check_s
   }
 }
 
-TEST_CASE("a border that turns inwards is not supported", "[check_spline_compatibility]")
+TEMPLATE_TEST_CASE("a corner of the border that turns inwards needs rings as cones do", "[check_spline_compatibility]",
+                   double, Rational)
 {
-  test_t_meshes::T_mesh<Surface_mesh, double> t(
-      test_t_meshes::squares<double>({{0, 1, 2, 3}, {4, 5, 6, 1}, {2, 7, 8, 9}}));
-  const auto report = report_of(t);
-  CHECK(report.status == Status::UNSUPPORTED_BORDER_VERTEX);
-  CHECK(extended_valence(report.vertex, t) == 3);
+  using Mesh = test_t_meshes::T_mesh<Surface_mesh, TestType>;
+  const int quarters = GENERATE(3, 4, 5, 7);
+  Mesh small(test_t_meshes::fan<TestType>(quarters, 2));
+  const auto report = report_of(small);
+  CHECK(report.status == Status::IRREGULAR_RINGS);
+  CHECK(extended_valence(report.vertex, small) == quarters);
+  // Three rings, and two intervals beyond them before the next border.
+  Mesh near(test_t_meshes::fan<TestType>(quarters, 4)), far(test_t_meshes::fan<TestType>(quarters, 5));
+  CHECK(report_of(near).status == Status::BORDER_IN_RINGS);
+  CHECK(report_of(far));
 }
 
 TEST_CASE("a border that meets itself is not supported", "[check_spline_compatibility]")
 {
   using Mesh = test_t_meshes::T_mesh<Surface_mesh, double>;
-  // Two squares, of which a corner each becomes one vertex.
   Mesh t(test_t_meshes::squares<double>({{0, 1, 2, 3}, {4, 5, 6, 7}}));
-  const auto into = [&](const std::size_t f) { return opposite(t.halfedge_of(f, 0), t.mesh); };
-  const auto a = into(0), b = into(1), after_a = next(a, t.mesh), after_b = next(b, t.mesh);
-  const auto v = target(a, t.mesh), w = target(b, t.mesh);
-  set_target(b, v, t.mesh);
-  set_target(opposite(after_b, t.mesh), v, t.mesh);
-  set_next(a, after_b, t.mesh);
-  set_next(b, after_a, t.mesh);
-  remove_vertex(w, t.mesh);
+  const auto v = test_t_meshes::join_corners_of_two_faces(t);
   const auto report = report_of(t);
   CHECK(report.status == Status::TOUCHING_BORDERS);
   CHECK(report.vertex == v);

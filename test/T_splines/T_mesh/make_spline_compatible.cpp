@@ -114,7 +114,10 @@ std::vector<Faces<FT>> catalogue()
           test_t_meshes::star<FT>(5, 3),
           test_t_meshes::star<FT>(9, 4),
           test_t_meshes::star_with_t_joint<FT>(3),
-          test_t_meshes::star_with_t_joint<FT>(6)};
+          test_t_meshes::star_with_t_joint<FT>(6),
+          test_t_meshes::fan<FT>(3, 1),
+          test_t_meshes::fan<FT>(4, 3),
+          test_t_meshes::fan<FT>(8, 1)};
 }
 
 // A T-mesh of squares with samples that know where in the plane they are.
@@ -381,8 +384,9 @@ TEST_CASE("what cannot be helped is left as it is", "[make_spline_compatible]")
     CHECK(before.faces == after.faces);
     return report.status;
   };
-  Mesh corner(test_t_meshes::squares<double>({{0, 1, 2, 3}, {4, 5, 6, 1}, {2, 7, 8, 9}}));
-  CHECK(refused(corner) == Status::UNSUPPORTED_BORDER_VERTEX);
+  Mesh touching(test_t_meshes::squares<double>({{0, 1, 2, 3}, {4, 5, 6, 7}}));
+  test_t_meshes::join_corners_of_two_faces(touching);
+  CHECK(refused(touching) == Status::TOUCHING_BORDERS);
   Mesh cube(test_t_meshes::cube<double>());
   put(cube.knots(), cube.halfedge_of(0, 0), std::numeric_limits<double>::quiet_NaN());
   CHECK(refused(cube) == Status::INADMISSIBLE);

@@ -150,6 +150,21 @@ Faces<FT> squares(const std::vector<std::vector<int>>& edges)
   return faces;
 }
 
+// Makes one vertex of a corner each of the first two faces, which are not connected, and returns it.
+template <typename T>
+typename T::vertex_descriptor join_corners_of_two_faces(T& t)
+{
+  const auto into = [&](const std::size_t f) { return opposite(t.halfedge_of(f, 0), t.mesh); };
+  const auto a = into(0), b = into(1), after_a = next(a, t.mesh), after_b = next(b, t.mesh);
+  const auto v = target(a, t.mesh), w = target(b, t.mesh);
+  set_target(b, v, t.mesh);
+  set_target(opposite(after_b, t.mesh), v, t.mesh);
+  set_next(a, after_b, t.mesh);
+  set_next(b, after_a, t.mesh);
+  remove_vertex(w, t.mesh);
+  return v;
+}
+
 // Genus 0, eight cones of three quarter turns.
 template <typename FT>
 Faces<FT> cube()
@@ -240,13 +255,12 @@ Faces<FT> cylinder(const int columns, const int rows)
   return squares<FT>(edges);
 }
 
-// A disk around a cone: `sectors` large squares, each of n x n squares. Square number n n s + n y + x is the one at (x, y)
-// in sector s, the cone at (0, 0); its halfedge 0 runs along x, away from the cone.
+// Of a star, or of a fan: the first spoke is not the last one.
 template <typename FT>
-Faces<FT> star(const int sectors, const int n)
+Faces<FT> sectors_of_squares(const int sectors, const int spokes, const int n)
 {
   const auto horizontal = [&](const int s, const int x, const int y) {
-    return 2 * ((s % sectors * (n + 1) + y) * n + x);
+    return 2 * ((s % spokes * (n + 1) + y) * n + x);
   };
   const auto vertical = [&](const int s, const int x, const int y) {
     return x == 0 ? horizontal(s + 1, y, 0) : 2 * ((s * (n + 1) + x) * n + y) + 1;
@@ -257,6 +271,21 @@ Faces<FT> star(const int sectors, const int n)
       for (int x = 0; x < n; ++x)
         edges.push_back({horizontal(s, x, y), vertical(s, x + 1, y), horizontal(s, x, y + 1), vertical(s, x, y)});
   return squares<FT>(edges);
+}
+
+// A disk around a cone: `sectors` large squares, each of n x n squares. Square number n n s + n y + x is the one at (x, y)
+// in sector s, the cone at (0, 0); its halfedge 0 runs along x, away from the cone.
+template <typename FT>
+Faces<FT> star(const int sectors, const int n)
+{
+  return sectors_of_squares<FT>(sectors, sectors, n);
+}
+
+// The same around a corner of the border.
+template <typename FT>
+Faces<FT> fan(const int sectors, const int n)
+{
+  return sectors_of_squares<FT>(sectors, sectors + 1, n);
 }
 
 // The star of single squares, of which the first two are one rectangle: the cone is a T-joint of it.

@@ -54,7 +54,8 @@ struct Basis_function_jet {
 /// (equation (1), with weights). The basis functions B_i are products of cubic B-splines, whose knots are found by rays
 /// through the T-mesh (4.1.2). In a face at an extraordinary vertex the surface is the limit of Catmull-Clark
 /// subdivision of the homogeneous control points, by Stam's evaluation. At a border the surface is clamped: its border
-/// curves are cubic rational splines of the border vertices alone.
+/// curves are cubic rational splines of the border vertices alone. At a corner of the border that turns inwards it has a
+/// tangent plane; see the definition of "Border" in the user manual.
 ///
 /// What is reproduced: constants everywhere, as B_i / (sum of B_j) sum to 1. Polynomials only where the basis functions
 /// sum to 1 by themselves and the T-mesh is locally standard, such as a grid: in general not even linear ones.
@@ -173,7 +174,8 @@ public:
   FT width(const face_descriptor f) const { return m_basis->t_mesh().width(index(f)); }   ///< largest u of a face
   FT height(const face_descriptor f) const { return m_basis->t_mesh().height(index(f)); } ///< largest v of a face
 
-  /// returns whether an extraordinary vertex is a corner of `f`.
+  /// returns whether an extraordinary vertex inside, not on the border, is a corner of `f`: there the surface is no
+  /// polynomial.
   bool is_at_extraordinary_vertex(const face_descriptor f) const { return m_basis->cone_face_of(index(f)) >= 0; }
 
   /// returns the point at (u, v) of a face. \pre `is_valid()`; 0 <= u <= width,
@@ -188,7 +190,7 @@ public:
 
   /// returns the point at (u, v) of a face with the first and second derivatives. \pre as for `position()`
   ///
-  /// At an extraordinary vertex itself the derivatives are not defined; they are 0.
+  /// At an extraordinary vertex inside the derivatives are not defined; they are 0.
   Jet jet(const face_descriptor f, const FT& u, const FT& v) const
   {
     return internal::rational_jet<Kernel>(homogeneous_jet<2>(checked_index(f, u, v), u, v));

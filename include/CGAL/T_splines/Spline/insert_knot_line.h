@@ -226,7 +226,8 @@ private:
 ///
 /// In the faces at an extraordinary vertex the surface is made of the control points of its first two rings, which must
 /// stay, as must its rings. So the line must not run through the three rings. It may run along them: the vertices of
-/// the second ring are outer ones of their rows then.
+/// the second ring are outer ones of their rows then. From the rings around a corner of the border that turns inwards it
+/// must keep one column away, as functions of these rings have ends of their own at the border.
 ///
 /// The result is spline compatible: the rings are what they were, supports only shrink, and that of the new vertex is a
 /// part of one that its neighbour had.

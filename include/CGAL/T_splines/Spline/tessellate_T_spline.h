@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SPLINE_TESSELLATE_T_SPLINE_H
 
 #include <CGAL/T_splines/Spline/Tessellation_resolution.h>
+#include <CGAL/T_splines/Spline/compile_T_spline.h>
 #include <CGAL/T_splines/Spline/internal/Face_tessellation.h>
 #include <CGAL/T_splines/Spline/internal/T_mesh_divisions.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_place.h>

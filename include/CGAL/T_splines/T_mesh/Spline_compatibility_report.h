@@ -16,15 +16,14 @@ namespace CGAL {
 namespace T_splines {
 
 /// \ingroup PkgTSplinesTMesh
-/// Whether a T-mesh carries a T-spline surface, and if not, why ([CZ17] section 4.1.3). The first three values after
+/// Whether a T-mesh carries a T-spline surface, and if not, why ([CZ17] section 4.1.3). The first two values after
 /// SPLINE_COMPATIBLE cannot be helped by refinement.
 enum class Spline_compatibility_status {
-  SPLINE_COMPATIBLE,         ///< all conditions hold
-  INADMISSIBLE,              ///< the knots are not admissible: see `admissibility`
-  UNSUPPORTED_BORDER_VERTEX, ///< the border turns inwards at `vertex`: its extended valence is 3 or more
-  TOUCHING_BORDERS,          ///< the border meets itself at `vertex`
-  TOO_FEW_BORDER_INTERVALS,  ///< fewer than three knot intervals lie between the two borders that `vertex` sees
-  IRREGULAR_RINGS,           ///< A: the three rings around `vertex`, extraordinary, are not regular at `face`
+  SPLINE_COMPATIBLE,        ///< all conditions hold
+  INADMISSIBLE,             ///< the knots are not admissible: see `admissibility`
+  TOUCHING_BORDERS,         ///< the border meets itself at `vertex`
+  TOO_FEW_BORDER_INTERVALS, ///< fewer than three knot intervals lie between the two borders that `vertex` sees
+  IRREGULAR_RINGS,          ///< A: the three rings around `vertex`, extraordinary, are not regular at `face`
   BORDER_IN_RINGS,      ///< A: the border is so close to `extraordinary_vertex` that knots of `vertex` are not uniform
   SUPPORT_REACHES_CONE, ///< B: the support of `vertex` reaches `face`, incident to `extraordinary_vertex`
   ENDLESS_SUPPORT,      ///< B: the support of `vertex` winds around a point that is not on the surface, over `face`
@@ -38,8 +37,6 @@ inline const char* message(const Spline_compatibility_status status)
   switch (status) {
   case Spline_compatibility_status::SPLINE_COMPATIBLE: return "the T-mesh is spline compatible";
   case Spline_compatibility_status::INADMISSIBLE: return "the halfedge knots are not admissible";
-  case Spline_compatibility_status::UNSUPPORTED_BORDER_VERTEX:
-    return "the border turns inwards at a vertex: border vertices must have the extended valence 1 or 2";
   case Spline_compatibility_status::TOUCHING_BORDERS: return "the border meets itself at a vertex";
   case Spline_compatibility_status::TOO_FEW_BORDER_INTERVALS:
     return "less than three knot intervals lie between two borders";

@@ -86,7 +86,7 @@ spline_compatibility_report(const TMesh& t_mesh, const NamedParameters& np, Prog
 /// checks whether a T-mesh with halfedge knots carries a T-spline surface ([CZ17] section 4.1.3).
 ///
 /// Beyond admissibility these are the conditions:
-/// - A: each extraordinary vertex is surrounded by three rings of square faces of one size (in a common unit) that meet
+/// - A: each extraordinary vertex, one on the border of extended valence 3 or more among them, is surrounded by three rings of square faces of one size (in a common unit) that meet
 ///   edge to edge. T-joints may lie on the outer rim of the third ring, where they change nothing inside;
 /// - B: the support of a vertex reaches a face at an extraordinary vertex only if it belongs to the vertex's first two
 ///   rings, or is that vertex, and only from there; and it has finitely many pieces: it does not contain the centre of
@@ -96,8 +96,8 @@ spline_compatibility_report(const TMesh& t_mesh, const NamedParameters& np, Prog
 /// face that it covers on two ways around the surface is two pieces of it, each with its own transition to the frame of
 /// the vertex. How many supports do so is told.
 ///
-/// Extraordinary vertices may have any extended valence. The border must be straight, or have right-angled corners
-/// outwards; between two borders there must be at least three intervals in each row.
+/// Extraordinary vertices may have any extended valence, and the border may turn outwards or inwards by any number of
+/// quarters. Between two borders there must be at least three intervals in each row.
 /// \tparam TMesh a model of `TMesh` whose graph is one of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`, with
 ///         or without border
 /// \param t_mesh the T-mesh

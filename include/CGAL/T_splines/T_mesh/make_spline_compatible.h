@@ -135,7 +135,7 @@ void count_elements(const TMesh& t_mesh, Progress& progress, Spline_refinement_r
 /// \cgalNamedParamsEnd
 ///
 /// \return whether the T-mesh is spline compatible now, and how many splits were made for what. Nothing is changed if
-///         the status is INADMISSIBLE, UNSUPPORTED_BORDER_VERTEX or TOUCHING_BORDERS. If it is INTERRUPTED, the T-mesh has
+///         the status is INADMISSIBLE or TOUCHING_BORDERS. If it is INTERRUPTED, the T-mesh has
 ///         the splits so far: it is admissible, and may be given to this function again.
 /// Complexity: linear in the number of pairs of a vertex and a face of its support, for a few rounds; most of them look
 /// only at a few vertices.

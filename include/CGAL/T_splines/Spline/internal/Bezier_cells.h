@@ -36,16 +36,19 @@ Frame_axis<FT> frame_axis(const Similarity_2<FT>& to_vertex, const int face_axis
 /// polynomials.
 ///
 /// Replaces `cuts` by the coordinates of the lines that cross the face along `face_axis`, increasing, with the face's
-/// ends. \pre no extraordinary vertex is a corner of `face`
+/// ends. \pre no extraordinary vertex inside is a corner of `face`
 template <typename FT>
 void find_cell_cuts(const T_spline_basis<FT>& basis, const int face, const int face_axis, std::vector<FT>& cuts)
 {
   cuts.clear();
   const FT size = basis.t_mesh().side_length(face, face_axis);
   const FT eps = knot_tolerance_between_faces(size);
+  if (const auto* const corner = basis.corner_face(face); corner != nullptr)
+    for (int i = 1; i < corner->patches->pieces_per_side(); ++i)
+      cuts.push_back(size * FT(i) / FT(corner->patches->pieces_per_side()));
   for (auto a = basis.actions_begin(face); a != basis.actions_end(face); ++a) {
     const Frame_axis<FT> axis = frame_axis(a->to_vertex, face_axis);
-    for (const FT& knot : basis.functions(a->vertex)[axis.axis].knots()) {
+    for (const FT& knot : basis.factors(a->function)[axis.axis].knots()) {
       const FT x = (knot - axis.offset) / axis.factor;
       if (x > eps && x < size - eps)
         cuts.push_back(x);

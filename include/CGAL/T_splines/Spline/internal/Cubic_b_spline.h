@@ -51,6 +51,15 @@ public:
       m_pieces[3] = {zero, zero, zero, FT(-1) / FT((t[4] - t[3]) * (t[4] - t[2]) * (t[4] - t[1]))};
   }
 
+  /// The function times a factor.
+  friend Cubic_b_spline operator*(const FT& factor, Cubic_b_spline b)
+  {
+    for (std::array<FT, 4>& piece : b.m_pieces)
+      for (FT& c : piece)
+        c *= factor;
+    return b;
+  }
+
   const std::array<FT, 5>& knots() const { return m_knots; }
 
   /// The largest i with t_i <= x of a piece that is not empty; before the first knot, the first such piece.

@@ -60,12 +60,7 @@ public:
       m_position[v] = Basis::none;
     m_vertices.clear();
     m_face = face;
-    const int c = m_basis.cone_face_of(face);
-    if (c >= 0)
-      m_vertices = m_basis.cone_faces()[c].controls;
-    else
-      for (auto a = m_basis.actions_begin(face); a != m_basis.actions_end(face); ++a)
-        m_vertices.push_back(a->vertex);
+    m_basis.for_each_vertex(face, [this](const int v) { m_vertices.push_back(v); });
     // A basis function may act several times.
     std::sort(m_vertices.begin(), m_vertices.end());
     m_vertices.erase(std::unique(m_vertices.begin(), m_vertices.end()), m_vertices.end());

@@ -96,6 +96,8 @@ private:
     int number = 4, vertex = none;
   };
 
+  // Along the third ring around a corner of the border, the vertices on the inner side have natural ends beside the border
+  // and those on the outer side have none: rows must not have both, so that this ring counts as the second one.
   void find_rings()
   {
     for (const Regular_rings<FT>& rings : m_structure.rings())
@@ -103,8 +105,9 @@ private:
         for (int x = 0; x < 3; ++x)
           for (int y = 0; y < (x < 2 ? 3 : 2); ++y) {
             Ring& ring = m_rings[rings.face(sector, x, y)];
-            if ((std::max)(x, y) + 1 < ring.number)
-              ring = {(std::max)(x, y) + 1, rings.vertex(sector, 0, 0)};
+            const int number = (std::min)((std::max)(x, y) + 1, rings.is_on_border() ? 2 : 3);
+            if (number < ring.number)
+              ring = {number, rings.vertex(sector, 0, 0)};
           }
   }
 
@@ -146,7 +149,7 @@ private:
     const bool is_first = m_bands.empty(), is_leftmost = m_t_mesh.is_border(Arrays::opposite(m_t_mesh.prev(b))),
                is_rightmost = m_t_mesh.is_border(Arrays::opposite(m_t_mesh.next(b)));
     const int column = is_leftmost ? 0 : is_rightmost ? 2 : 1;
-    // The border does not turn inwards, and leaves room for three columns.
+    // The border turns inwards inside of rings only, and leaves room for three columns.
     CGAL_assertion(!(is_leftmost && is_rightmost) && (is_first || column == m_column));
     CGAL_USE(is_first);
     m_column = column;

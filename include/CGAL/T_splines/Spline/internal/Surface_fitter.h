@@ -142,6 +142,9 @@ private:
     m_edges = sampling.sharp_edges(smallest_turn, edge_points_per_cell);
     m_border = sampling.border(fewest_per_cell);
     m_border_corners = sampling.border_corners();
+    m_is_border_corner.assign(m_carried.points().size(), 0);
+    for (const auto& corner : m_border_corners)
+      m_is_border_corner[corner.point] = 1;
     m_corners = sampling.corners();
     for (const Point_3& p : m_carried.points())
       m_box.extend(p);
@@ -258,7 +261,7 @@ private:
   void put_corners()
   {
     for (const auto& corner : m_border_corners)
-      m_control_points[corner.vertex] = relative(corner.point);
+      m_control_points[corner.vertex] = relative(m_carried.points()[corner.point]);
   }
 
   static std::vector<std::array<FT, 3>> accelerated(Anderson_acceleration<FT>& acceleration,
@@ -297,8 +300,9 @@ private:
     system.set_fairness(areas, stiffness);
   }
 
-  // Those of the border aim at the border in the same way. The samples of the cells aim at the points of the mesh that are closest to the surface there. Where that is farther
-  // than a cell from where the map has them, they aim at the mesh next to the point that far on the way.
+  // The samples of the cells aim at the points of the mesh that are closest to the surface there. Where that is farther
+  // than a cell from where the map has them, they aim at the mesh next to the point that far on the way. Those of the
+  // border aim at the border in the same way.
   // Returns the root mean square of the distances. If the progress is interrupted, feet are missing.
   double move_aims(std::vector<Sample>& aims)
   {
@@ -322,16 +326,17 @@ private:
          ++i, ++k) {
       const Sampled_place& sample = m_border[i];
       const Point_3 q = absolute(m_points[k]);
-      m_border_feet[i] = m_walk.closest_on_border(q, m_border_feet[i].triangle, m_border_feet[i].side);
+      m_border_feet[i] =
+          m_walk.closest_on_border(q, m_border_feet[i].triangle, m_border_feet[i].side, m_is_border_corner);
       sum += sample.area * m_border_feet[i].squared_distance;
       area += sample.area;
       const Vector_3 way = q - sample.point;
       const double length = std::sqrt(way.squared_length());
-      aims[k].point = relative(
-          length > sample.reach
-              ? m_walk.closest_on_border(sample.point + (sample.reach / length) * way, sample.triangle, sample.side)
-                    .point
-              : m_border_feet[i].point);
+      Surface_walk::Foot aim = m_border_feet[i];
+      if (length > sample.reach)
+        aim = m_walk.closest_on_border(sample.point + (sample.reach / length) * way, sample.triangle, sample.side,
+                                       m_is_border_corner);
+      aims[k].point = relative(aim.point);
     }
     return std::sqrt(sum / area);
   }
@@ -437,6 +442,7 @@ private:
   double m_mean_area = 0; // of a sample of the cells
   std::vector<Sampled_place> m_cells, m_edges, m_border, m_corners;
   std::vector<typename Surface_sampling<Graph, FT>::Border_corner> m_border_corners;
+  std::vector<char> m_is_border_corner;            // per point of the surface
   std::vector<std::array<FT, 3>> m_control_points; // relative to the origin
   std::vector<std::array<FT, 3>> m_points;         // of the surface, at the samples, those of the cells first; likewise
   std::vector<std::size_t> m_triangles;            // per sample of the cells: that of the point that it aims at

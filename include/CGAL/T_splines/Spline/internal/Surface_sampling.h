@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -86,21 +87,22 @@ public:
     return samples;
   }
 
-  /// A vertex of the T-mesh at a corner of the border, and where that is on the surface.
+  /// A vertex of the T-mesh at a corner of the border, and the number of the surface's point there.
   struct Border_corner {
     int vertex;
-    Point_3 point;
+    std::size_t point;
   };
 
-  /// The corners of the border that turn outwards: there the surface is where its control point is.
+  /// The corners of the border: there the surface is where its control point is.
   std::vector<Border_corner> border_corners() const
   {
     std::vector<Border_corner> result;
     const auto& t_mesh = m_basis.t_mesh();
     for (int v = 0; v < t_mesh.number_of_vertices(); ++v)
-      if (t_mesh.incoming(v) >= 0 && t_mesh.is_border_vertex(v) && t_mesh.extended_valence(v) == 1)
+      if (t_mesh.incoming(v) >= 0 && t_mesh.is_border_vertex(v) && t_mesh.extended_valence(v) != 2)
         t_mesh.for_each_incoming(v, [&](const int h) {
-          if (const Point_3* const p = point_at_target(h); p != nullptr)
+          const std::optional<std::size_t> p = point_at_target(h);
+          if (p && (result.empty() || result.back().vertex != v))
             result.push_back({v, *p});
         });
     return result;
@@ -323,7 +325,7 @@ private:
   }
 
   // The point that triangles have as a corner where a halfedge of a face ends; null if there is none.
-  const Point_3* point_at_target(const int h) const
+  std::optional<std::size_t> point_at_target(const int h) const
   {
     const auto& t_mesh = m_basis.t_mesh();
     const int f = t_mesh.face(h);
@@ -334,11 +336,12 @@ private:
       for (int i = 0; i < 3; ++i)
         if (std::abs(image.corners[i][0] - CGAL::to_double(place.first)) <= eps_u &&
             std::abs(image.corners[i][1] - CGAL::to_double(place.second)) <= eps_v)
-          return &m_surface.points()[m_surface.triangles()[image.triangle][i]];
-    return nullptr;
+          return m_surface.triangles()[image.triangle][i];
+    return std::nullopt;
   }
 
-  // The places in the part of a side that an edge of the border covers.
+  // The places in the part of a side that an edge of the border covers. Triangles on the other side of a slit touch the
+  // same line in the frame of the face, but from outside.
   void add_border_edge(const Image& image, const int i, const int n, std::vector<Sampled_place>& samples) const
   {
     const Parameters &a = image.corners[i], &b = image.corners[(i + 1) % 3];
@@ -347,6 +350,9 @@ private:
     const double eps = same_point * size[across], middle = (a[across] + b[across]) / 2;
     const bool is_first = std::abs(middle) <= eps;
     if (a[along] == b[along] || (!is_first && std::abs(middle - size[across]) > eps))
+      return;
+    const double inwards = image.corners[(i + 2) % 3][across] - middle;
+    if (is_first ? inwards <= 0 : inwards >= 0)
       return;
     const std::vector<FT>&cuts = along == 0 ? m_u : m_v, &cuts_across = along == 0 ? m_v : m_u;
     const std::size_t last = cuts_across.size() - 1;

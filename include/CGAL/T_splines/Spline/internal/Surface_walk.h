@@ -91,14 +91,19 @@ public:
     return foot;
   }
 
-  /// The point of the border closest to `q`, as far as one gets from edge to neighbouring edge always coming closer.
+  /// The point of the border closest to `q`, as far as one gets from edge to neighbouring edge always coming closer, and
+  /// not past a corner: on the two sides of a slit, one would come to the other side around its end.
   /// \param triangle, side where to begin: an edge of the border, from corner `side` on
-  Foot closest_on_border(const Point_3& q, const std::size_t triangle, const int side) const
+  /// \param is_border_corner per point
+  Foot closest_on_border(const Point_3& q, const std::size_t triangle, const int side,
+                         const std::vector<char>& is_border_corner) const
   {
     constexpr double closer = 1 - 1e-12;
     for (Foot foot = closest_of_side(q, triangle, side);;) {
       const Foot before = foot;
       for (const int end : {0, 1}) {
+        if (is_border_corner[m_triangles[before.triangle][(before.side + end) % 3]] != 0)
+          continue;
         const Foot other = closest_of_neighbor(q, before, end);
         if (other.squared_distance < foot.squared_distance)
           foot = other;

@@ -5,15 +5,18 @@
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_T_SPLINE_BASIS_H
 
 #include <CGAL/T_splines/Spline/internal/Catmull_clark_evaluator.h>
+#include <CGAL/T_splines/Spline/internal/Corner_patches.h>
 #include <CGAL/T_splines/Spline/internal/Cubic_b_spline.h>
 #include <CGAL/T_splines/T_mesh/support/Spline_structure.h>
 #include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
 #include <CGAL/T_splines/T_mesh/support/Vertex_quarters.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -65,19 +68,27 @@ public:
   using Evaluator = Catmull_clark_evaluator<FT>;
   static constexpr int none = -1;
 
-  /// A basis function that acts in a face, and the similarity from the frame of the face to its own: a piece of its
-  /// support. One function may act in a face several times, on different ways around the surface.
+  /// A product of two cubic B-splines that acts in a face for a vertex, and the similarity from the frame of the face to
+  /// its own: a piece of its support. One may act in a face several times, on different ways around the surface.
   struct Action {
-    int vertex;
+    int vertex, function;
     Similarity_2<FT> to_vertex;
   };
 
-  /// A face at an extraordinary vertex, where the surface is the Catmull-Clark limit of the controls.
+  /// A face at an extraordinary vertex inside, where the surface is the Catmull-Clark limit of the controls.
   struct Cone_face {
     int face;
     Similarity_2<FT> to_unit_square; ///< the extraordinary vertex becomes the origin
     std::vector<int> controls;       ///< as `Catmull_clark_subdivision` orders them
     std::shared_ptr<const Evaluator> evaluator;
+  };
+
+  /// A face at a corner of the border that turns inwards, where the functions are those of `Corner_patches`.
+  struct Corner_face {
+    int sector;
+    Similarity_2<FT> to_unit_square; ///< the corner becomes the origin
+    std::vector<int> controls;       ///< as `Corner_patches` orders them
+    std::shared_ptr<const Corner_patches<FT>> patches;
   };
 
   T_spline_basis() = default;
@@ -91,17 +102,18 @@ public:
     const Spline_defect defect = structure.find_supports([&](const int v, const Basis_support<FT>& support) {
       for (const Support_face<FT>& face : support.faces())
         if (structure.corner_of_face(face.face) == none)
-          actions.emplace_back(face.face, Action{v, face.to_vertex});
+          actions.emplace_back(face.face, Action{v, v, face.to_vertex});
     });
     if (defect)
       return defect;
-    sort_by_faces(actions);
     m_functions.resize(m_arrays.number_of_vertices());
     for (int v = 0; v < m_arrays.number_of_vertices(); ++v)
       if (!structure.is_isolated(v))
         for (int axis = 0; axis < 2; ++axis)
           m_functions[v][axis] = Cubic_b_spline<FT>(structure.knots(v).knots[axis]);
-    add_cone_faces(structure);
+    add_natural_ends(structure, actions);
+    sort_by_faces(actions);
+    add_faces_at_extraordinary_vertices(structure);
     return {};
   }
 
@@ -109,20 +121,43 @@ public:
   const std::vector<Cone_face>& cone_faces() const { return m_cone_faces; }
   int cone_face_of(const int f) const { return m_cone_face_of_face[f]; } ///< an index of `cone_faces()`, or `none`
 
+  /// `nullptr` if the face is none.
+  const Corner_face* corner_face(const int f) const
+  {
+    return m_corner_face_of_face[f] == none ? nullptr : &m_corner_faces[m_corner_face_of_face[f]];
+  }
+
+  /// None in faces at extraordinary vertices.
   const Action* actions_begin(const int f) const { return m_actions.data() + m_first_action[f]; }
   const Action* actions_end(const int f) const { return m_actions.data() + m_first_action[f + 1]; }
 
-  /// The two factors of the basis function of a vertex, in its frame.
-  const std::array<Cubic_b_spline<FT>, 2>& functions(const int v) const { return m_functions[v]; }
+  /// The two factors of a function of an action, in its frame.
+  const std::array<Cubic_b_spline<FT>, 2>& factors(const int function) const { return m_functions[function]; }
+
+  /// Calls `f(vertex)` for the vertices whose basis functions act in a face, for some of them several times.
+  template <typename Function>
+  void for_each_vertex(const int face, const Function& f) const
+  {
+    if (const int c = m_cone_face_of_face[face]; c != none)
+      std::for_each(m_cone_faces[c].controls.begin(), m_cone_faces[c].controls.end(), f);
+    else if (const Corner_face* const corner = corner_face(face); corner != nullptr)
+      std::for_each(corner->controls.begin(), corner->controls.end(), f);
+    else
+      std::for_each(actions_begin(face), actions_end(face), [&](const Action& a) { f(a.vertex); });
+  }
 
   /// Calls `f(vertex, jet)` for the pieces of basis functions that do not vanish at a point of a face, with the
   /// derivatives up to `Order` with respect to its u and v. The values of one vertex are to be added up. \pre the face is not a cone face
   template <int Order, typename Function>
   void for_each_function(const int face, const FT& u, const FT& v, const Function& f) const
   {
+    if (const Corner_face* const corner = corner_face(face); corner != nullptr) {
+      for_each_function_at_corner<Order>(*corner, u, v, f);
+      return;
+    }
     for (const Action* a = actions_begin(face); a != actions_end(face); ++a) {
       const std::pair<FT, FT> p = a->to_vertex(u, v);
-      const std::array<Cubic_b_spline<FT>, 2>& b = m_functions[a->vertex];
+      const std::array<Cubic_b_spline<FT>, 2>& b = m_functions[a->function];
       if (b[0].vanishes_at(p.first) || b[1].vanishes_at(p.second))
         continue;
       if constexpr (Order == 0)
@@ -142,6 +177,34 @@ public:
   }
 
 private:
+  template <int Order, typename Function>
+  static void for_each_function_at_corner(const Corner_face& corner, const FT& u, const FT& v, const Function& f)
+  {
+    const std::pair<FT, FT> p = corner.to_unit_square(u, v);
+    corner.patches->for_each_function(corner.sector, p.first, p.second, Order,
+                                      [&](const int control, Function_jet<FT> jet) {
+                                        pull_back(corner.to_unit_square, Order, jet);
+                                        f(corner.controls[control], jet);
+                                      });
+  }
+
+  template <typename KnotFT>
+  void add_natural_ends(const Spline_structure<KnotFT, FT>& structure, std::vector<std::pair<int, Action>>& actions)
+  {
+    using Natural_end = typename Spline_structure<KnotFT, FT>::Natural_end;
+    structure.find_natural_ends([&](const Natural_end& end, const Basis_support<FT>& support) {
+      const Cubic_b_spline<FT> x(end.knots.knots[0]), y(end.knots.knots[1]);
+      const int function = static_cast<int>(m_functions.size());
+      m_functions.push_back({FT(2) * x, y});
+      m_functions.push_back({FT(-1) * x, y});
+      for (const Support_face<FT>& face : support.faces())
+        if (structure.corner_of_face(face.face) == none) {
+          actions.emplace_back(face.face, Action{end.border_vertex, function, face.to_vertex});
+          actions.emplace_back(face.face, Action{end.inner_vertex, function + 1, face.to_vertex});
+        }
+    });
+  }
+
   void sort_by_faces(const std::vector<std::pair<int, Action>>& actions)
   {
     m_first_action.assign(m_arrays.number_of_faces() + 1, 0);
@@ -156,29 +219,44 @@ private:
   }
 
   template <typename KnotFT>
-  void add_cone_faces(const Spline_structure<KnotFT, FT>& structure)
+  void add_faces_at_extraordinary_vertices(const Spline_structure<KnotFT, FT>& structure)
   {
     m_cone_face_of_face.assign(m_arrays.number_of_faces(), none);
+    m_corner_face_of_face.assign(m_arrays.number_of_faces(), none);
     std::map<int, std::shared_ptr<const Evaluator>> evaluators; // per valence
-    for (const Regular_rings<KnotFT>& rings : structure.rings()) {
-      std::shared_ptr<const Evaluator>& evaluator = evaluators[rings.valence()];
-      if (evaluator == nullptr)
-        evaluator = std::make_shared<const Evaluator>(rings.valence());
+    std::map<int, std::shared_ptr<const Corner_patches<FT>>> patches;
+    const auto of_valence = [](auto& shared, const int valence) {
+      using T = typename std::decay_t<decltype(shared)>::mapped_type::element_type;
+      auto& result = shared[valence];
+      if (result == nullptr)
+        result = std::make_shared<T>(valence);
+      return result;
+    };
+    for (const Regular_rings<KnotFT>& rings : structure.rings())
       for (int sector = 0; sector < rings.valence(); ++sector) {
         const int h = m_arrays.prev(rings.bottom(sector, 0, 0)), face = m_arrays.face(h);
-        m_cone_face_of_face[face] = static_cast<int>(m_cone_faces.size());
         const Vertex_quarter<FT> quarter{h, false, FT(1) / m_arrays.width(face)};
-        m_cone_faces.push_back({face, frame_of_quarter(m_arrays, quarter, 0), rings.controls(sector), evaluator});
+        const Similarity_2<FT> to_unit_square = frame_of_quarter(m_arrays, quarter, 0);
+        if (rings.is_on_border()) {
+          m_corner_face_of_face[face] = static_cast<int>(m_corner_faces.size());
+          m_corner_faces.push_back(
+              {sector, to_unit_square, rings.corner_controls(), of_valence(patches, rings.valence())});
+        }
+        else {
+          m_cone_face_of_face[face] = static_cast<int>(m_cone_faces.size());
+          m_cone_faces.push_back(
+              {face, to_unit_square, rings.controls(sector), of_valence(evaluators, rings.valence())});
+        }
       }
-    }
   }
 
   Arrays m_arrays;
-  std::vector<std::array<Cubic_b_spline<FT>, 2>> m_functions; // per vertex
+  std::vector<std::array<Cubic_b_spline<FT>, 2>> m_functions; // per vertex; then those beyond natural ends
   std::vector<std::size_t> m_first_action;                    // per face
   std::vector<Action> m_actions;
-  std::vector<int> m_cone_face_of_face;
+  std::vector<int> m_cone_face_of_face, m_corner_face_of_face;
   std::vector<Cone_face> m_cone_faces;
+  std::vector<Corner_face> m_corner_faces;
 };
 
 } // namespace internal

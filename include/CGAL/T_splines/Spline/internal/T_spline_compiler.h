@@ -38,6 +38,7 @@ class T_spline_compiler {
   using Basis = T_spline_basis<FT>;
   using Action = typename Basis::Action;
   using Cone_face = typename Basis::Cone_face;
+  using Corner_face = typename Basis::Corner_face;
   using Compiled = Compiled_T_spline<typename Surface::Graph, Kernel>;
   using Patch = typename Compiled::Patch;
   using Homogeneous = std::array<FT, 4>;
@@ -89,6 +90,12 @@ private:
       for (int column = 0; column < columns; ++column)
         add_rectangle(f, m_u[column], m_u[column + 1], m_v[row], m_v[row + 1], false, result);
 
+    if (const Corner_face* const corner = m_basis.corner_face(f); corner != nullptr) {
+      for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column)
+          result.m_patches[first + row * columns + column] = corner_patch(*corner, f, column, row);
+      return;
+    }
     for (const Action* a = m_basis.actions_begin(f); a != m_basis.actions_end(f); ++a) {
       find_coefficients(*a, 0, m_u, m_a);
       find_coefficients(*a, 1, m_v, m_b);
@@ -104,7 +111,7 @@ private:
                          std::vector<std::array<FT, 4>>& coefficients) const
   {
     const Frame_axis<FT> axis = frame_axis(action.to_vertex, face_axis);
-    const Cubic_b_spline<FT>& function = m_basis.functions(action.vertex)[axis.axis];
+    const Cubic_b_spline<FT>& function = m_basis.factors(action.function)[axis.axis];
     coefficients.clear();
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
       coefficients.push_back(function.bernstein_coefficients(FT(axis.factor * cuts[i] + axis.offset),
@@ -191,17 +198,53 @@ private:
     const auto a = to_face(s, t), b = to_face(FT(s + size), FT(t + size));
     add_rectangle(face.face, (std::min)(a.first, b.first), (std::max)(a.first, b.first), (std::min)(a.second, b.second),
                   (std::max)(a.second, b.second), is_cap, result);
-    Patch turned;
+    result.m_patches.push_back(turned(patch, face.to_unit_square.quarter_turns()));
+  }
+
+  // The same patch in a frame that such a number of quarter turns takes to that of `patch`.
+  static Patch turned(const Patch& patch, const int quarter_turns)
+  {
+    Patch result;
     for (int j = 0; j < 4; ++j)
       for (int i = 0; i < 4; ++i) {
-        switch (face.to_unit_square.quarter_turns()) {
-        case 0: turned.homogeneous_control_point(i, j) = patch.homogeneous_control_point(i, j); break;
-        case 1: turned.homogeneous_control_point(i, j) = patch.homogeneous_control_point(3 - j, i); break;
-        case 2: turned.homogeneous_control_point(i, j) = patch.homogeneous_control_point(3 - i, 3 - j); break;
-        default: turned.homogeneous_control_point(i, j) = patch.homogeneous_control_point(j, 3 - i);
+        Homogeneous& p = result.homogeneous_control_point(i, j);
+        switch (quarter_turns) {
+        case 0: p = patch.homogeneous_control_point(i, j); break;
+        case 1: p = patch.homogeneous_control_point(3 - j, i); break;
+        case 2: p = patch.homogeneous_control_point(3 - i, 3 - j); break;
+        default: p = patch.homogeneous_control_point(j, 3 - i);
         }
       }
-    result.m_patches.push_back(turned);
+    return result;
+  }
+
+  // A patch of a face at a corner of the border; the face is divided along both axes into parts of one size.
+  Patch corner_patch(const Corner_face& corner, const int f, const int column, const int row) const
+  {
+    const Corner_patches<FT>& patches = *corner.patches;
+    const int n = patches.pieces_per_side();
+    const auto centre = [n](const FT& size, const int i) { return FT(size * FT(2 * i + 1) / FT(2 * n)); };
+    const auto p =
+        corner.to_unit_square(centre(m_basis.t_mesh().width(f), column), centre(m_basis.t_mesh().height(f), row));
+    const int local_column = piece_of(p.first, n), local_row = piece_of(p.second, n);
+    Patch patch;
+    for (int control = 0; control < patches.number_of_controls(); ++control) {
+      const Homogeneous& point = m_surface.homogeneous_control_points()[corner.controls[control]];
+      const auto& coefficients = patches.coefficients(corner.sector, local_column, local_row, control);
+      for (int k = 0; k < 16; ++k)
+        for (int axis = 0; axis < 4; ++axis)
+          patch.homogeneous_control_point(k % 4, k / 4)[axis] += coefficients[k] * point[axis];
+    }
+    return turned(patch, corner.to_unit_square.quarter_turns());
+  }
+
+  // Of n parts of [0, 1], the one that contains x.
+  static int piece_of(const FT& x, const int n)
+  {
+    int i = 0;
+    while (i + 1 < n && FT(n) * x > FT(i + 1))
+      ++i;
+    return i;
   }
 
   // The largest distance of the cap from the surface at 8 x 8 points, the vertex itself excluded.

@@ -85,8 +85,9 @@ public:
   {
   }
 
-  /// Finds the support of a vertex with these quarters and knots.
-  void find(const int v, const Vertex_quarters<FT>& quarters, const Basis_knots<FT>& knots)
+  /// Finds the support of a vertex with these knots, as far as it lies in these quarters, which are in order.
+  template <typename Quarters>
+  void find(const int v, const Quarters& quarters, const Basis_knots<FT>& knots)
   {
     for (const Support_face<FT>& face : m_faces)
       m_first_piece[face.face] = none;
@@ -94,7 +95,7 @@ public:
     m_pieces.clear();
     m_vertex = v;
     m_reached_cone_face = m_endless_face = none;
-    for (m_quarter = 0; m_quarter < quarters.size() && !is_stopped(); ++m_quarter)
+    for (m_quarter = 0; m_quarter < static_cast<int>(quarters.size()) && !is_stopped(); ++m_quarter)
       if (!is_opposite_to_cone(quarters[m_quarter]))
         search(quarters[m_quarter], m_quarter % 4, knots);
   }

@@ -9,10 +9,18 @@
 #include <CGAL/T_splines/internal/tolerances.h>
 
 #include <array>
+#include <vector>
 
 namespace CGAL {
 namespace T_splines {
 namespace internal {
+
+/// What a vertex does to rays that reach it.
+enum class Vertex_kind : char {
+  REGULAR,       ///< they go on, or leave the surface
+  EXTRAORDINARY, ///< beyond it the knots are uniform
+  NATURAL_END    ///< on the border in the first two rings of a corner that turns inwards: likewise, beyond the border
+};
 
 /// What a ray from a vertex meets: the distances of its first intersections with vertices and orthogonal edges.
 template <typename FT>
@@ -20,24 +28,25 @@ struct Knot_ray {
   static constexpr int no_border = 4;
 
   std::array<FT, 3> distance{}; ///< the third one is only looked for if the T-mesh has a border
-  int border = no_border;       ///< the ray leaves the surface at intersection number `border`; 0: at the vertex itself
+  int border = no_border; ///< the ray leaves the surface at intersection number `border`; 0: at the vertex itself.
+                          ///< A natural end does not count
   /// Per interval the halfedge of a face along which it was measured, or from whose edge across its face; -1 beyond a
   /// border or an extraordinary vertex.
   std::array<int, 3> halfedge{-1, -1, -1};
   std::array<bool, 3> is_across{};
 };
 
-/// Follows rays through a T-mesh ([CZ17] section 4.1.2, after Sederberg et al. 2003). Beyond an extraordinary vertex a
-/// ray goes on by steps of the same length: there the knots are uniform.
+/// Follows rays through a T-mesh ([CZ17] section 4.1.2, after Sederberg et al. 2003). Beyond an extraordinary vertex or
+/// a natural end a ray goes on by steps of the same length: there the knots are uniform.
 template <typename FT>
 class Knot_ray_tracer {
   using Arrays = T_mesh_arrays<FT>;
 
 public:
-  /// \param is_extraordinary per vertex: rays end there
-  Knot_ray_tracer(const Arrays& t_mesh, const std::vector<char>& is_extraordinary, const bool has_border)
+  /// \param kinds per vertex
+  Knot_ray_tracer(const Arrays& t_mesh, const std::vector<Vertex_kind>& kinds, const bool has_border)
     : m_t_mesh(t_mesh),
-      m_is_extraordinary(is_extraordinary),
+      m_kinds(kinds),
       m_number_of_steps(has_border ? 3 : 2)
   {
   }
@@ -61,10 +70,10 @@ public:
 
 private:
   // Where a ray is: at the source of the halfedge h, about to go along it; or on the side of h at the distance x from
-  // the side's begin, about to cross the face. One unit of the face is `unit` units of the ray; of a border halfedge
-  // the opposite face counts.
+  // the side's begin, about to cross the face; or where uniform knots begin. One unit of the face is `unit` units of the
+  // ray; of a border halfedge the opposite face counts.
   struct Position {
-    enum Kind : char { ALONG, INSIDE, OUTSIDE, AT_EXTRAORDINARY };
+    enum Kind : char { ALONG, INSIDE, OUTSIDE, UNIFORM };
     Kind kind;
     int h;
     FT x, unit;
@@ -75,7 +84,7 @@ private:
     Knot_ray<FT> ray;
     FT distance(0);
     for (int i = 0; i < m_number_of_steps; ++i) {
-      if (position.kind == Position::AT_EXTRAORDINARY) {
+      if (position.kind == Position::UNIFORM) {
         ray.distance[i] = i == 1 ? FT(FT(2) * distance) : FT(FT(2) * ray.distance[i - 1] - ray.distance[i - 2]);
         continue;
       }
@@ -107,8 +116,8 @@ private:
   Position after_edge(const Position& position) const
   {
     const int g = position.h, w = m_t_mesh.target(g);
-    if (m_is_extraordinary[w])
-      return {Position::AT_EXTRAORDINARY, g, FT(0), position.unit};
+    if (m_kinds[w] == Vertex_kind::EXTRAORDINARY)
+      return {Position::UNIFORM, g, FT(0), position.unit};
     if (m_t_mesh.is_border(g))
       return after_border_edge(position);
     if (!m_t_mesh.is_corner(g))
@@ -122,7 +131,7 @@ private:
   {
     const int o = Arrays::opposite(n);
     if (m_t_mesh.is_border(o))
-      return {Position::OUTSIDE, n, FT(0), unit};
+      return {is_natural_end(m_t_mesh.source(n)) ? Position::UNIFORM : Position::OUTSIDE, n, FT(0), unit};
     const FT unit_behind = unit / m_t_mesh.ratio(n);
     if (m_t_mesh.is_corner(o))
       return {Position::ALONG, m_t_mesh.next(o), FT(0), unit_behind};
@@ -160,19 +169,23 @@ private:
     while (!m_t_mesh.is_corner(e) && x > m_t_mesh.end(e) + eps)
       e = m_t_mesh.next(e);
     if (!m_t_mesh.is_corner(e) && x >= m_t_mesh.end(e) - eps) { // a vertex
-      if (m_is_extraordinary[m_t_mesh.target(e)])
-        return {Position::AT_EXTRAORDINARY, e, FT(0), position.unit};
+      if (m_kinds[m_t_mesh.target(e)] == Vertex_kind::EXTRAORDINARY)
+        return {Position::UNIFORM, e, FT(0), position.unit};
       return clockwise_of(m_t_mesh.next(e), position.unit);
     }
     const int o = Arrays::opposite(e);
-    if (m_t_mesh.is_border(o))
-      return {Position::OUTSIDE, e, FT(0), position.unit};
+    if (m_t_mesh.is_border(o)) {
+      const bool is_natural = is_natural_end(m_t_mesh.source(e)) || is_natural_end(m_t_mesh.target(e));
+      return {is_natural ? Position::UNIFORM : Position::OUTSIDE, e, FT(0), position.unit};
+    }
     const FT ratio = m_t_mesh.ratio(e);
     return {Position::INSIDE, o, FT(m_t_mesh.begin(o) + FT(m_t_mesh.end(e) - x) * ratio), FT(position.unit / ratio)};
   }
 
+  bool is_natural_end(const int v) const { return m_kinds[v] == Vertex_kind::NATURAL_END; }
+
   const Arrays& m_t_mesh;
-  const std::vector<char>& m_is_extraordinary;
+  const std::vector<Vertex_kind>& m_kinds;
   int m_number_of_steps;
 };
 

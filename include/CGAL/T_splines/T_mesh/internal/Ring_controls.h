@@ -69,7 +69,7 @@ public:
   }
 
 private:
-  // -1 <= x, y <= 2; none at (-1, -1), which another sector sees at (1, 1).
+  // -1 <= x, y <= 2; none at (-1, -1), which another sector sees at (1, 1), and beyond a border.
   using Vertices = std::array<int, 16>;
 
   struct Sector {
@@ -83,13 +83,16 @@ private:
   static Vertices vertices_around(const Regular_rings<KnotFT>& rings, const int sector)
   {
     const int n = rings.valence(), before = (sector + n - 1) % n, after = (sector + 1) % n;
+    const bool is_first = rings.is_on_border() && sector == 0, is_last = rings.is_on_border() && after == 0;
     Vertices result;
     result.fill(none);
     for (int i = 0; i <= 2; ++i) {
       for (int k = 0; k <= 2; ++k)
         result[index(i, k)] = rings.vertex(sector, i, k);
-      result[index(i, -1)] = rings.vertex(before, 1, i);
-      result[index(-1, i)] = rings.vertex(after, i, 1);
+      if (!is_first)
+        result[index(i, -1)] = rings.vertex(before, 1, i);
+      if (!is_last)
+        result[index(-1, i)] = rings.vertex(after, i, 1);
     }
     return result;
   }

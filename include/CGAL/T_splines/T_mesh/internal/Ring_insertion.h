@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_type_basic.h>
 
@@ -33,7 +34,8 @@ namespace internal {
 /// outermost one, which may be any face. The first of the two cuts goes through the whole face: it is the edge extended
 /// at the outer corner of the rings. Where no other rings are in the way, the line of the second ring beside it does,
 /// too: then there are as many faces, and no support comes from the opposite corner of the sector (condition B).
-/// Lengths at a vertex are measured in its common unit, that of the face of its first halfedge.
+/// Lengths at a vertex are measured in its common unit, that of the face of its first sector. The sectors of a vertex on
+/// the border, where this turns inwards, are those from border to border.
 /// \tparam Splits `Counted_splits`
 template <typename Splits>
 class Ring_insertion {
@@ -49,6 +51,14 @@ class Ring_insertion {
   };
   using Sectors = boost::container::small_vector<Sector, 8>;
 
+  // An edge at a vertex, seen from there in the face of a sector.
+  struct Spoke {
+    halfedge_descriptor h, end_corner; // end_corner ends at the other vertex
+    vertex_descriptor end;
+    FT length, unit; // of the face
+  };
+  using Spokes = boost::container::small_vector<Spoke, 9>;
+
   // Each ring is `unit` wide, in the common unit of the vertex.
   struct Plan {
     vertex_descriptor v;
@@ -63,7 +73,7 @@ public:
   /// No ring leaves the half of an edge or of a face between two extraordinary vertices, so that rings of different
   /// vertices do not overlap; and no line passes through the place of other rings. Where the rings meet the other ends
   /// of all edges at the vertex, or keep away from them, they are as large as the clearance allows; otherwise a quarter
-  /// of it remains. \pre they are not on the border
+  /// of it remains. \pre on the border their extended valence is 3 or more
   void run(const std::vector<vertex_descriptor>& vertices)
   {
     for (const vertex_descriptor v : vertices)
@@ -95,9 +105,19 @@ private:
   bool is_corner(const halfedge_descriptor h) const { return m_splits.t_mesh().is_corner(h); }
 
   bool is_border(const vertex_descriptor v) const { return is_border_vertex(v, m_splits.t_mesh()); }
-  bool is_inner_extraordinary(const vertex_descriptor v) const
+  // Whether rings belong around a vertex.
+  bool is_centre(const vertex_descriptor v) const
   {
-    return !is_border(v) && is_extraordinary(v, m_splits.t_mesh());
+    const int valence = extended_valence(v, m_splits.t_mesh());
+    return is_border(v) ? valence > 2 : valence != 4;
+  }
+
+  // Whether the border is ahead where a spoke ends.
+  bool ends_at_border(const Spoke& spoke) const
+  {
+    if (!is_border(spoke.end))
+      return false;
+    return !CGAL::is_border_edge(spoke.h, m_splits.graph()) || extended_valence(spoke.end, m_splits.t_mesh()) == 1;
   }
 
   // Extends an edge at v through a face that goes straight on there.
@@ -105,7 +125,7 @@ private:
   {
     const auto& graph = m_splits.graph();
     for (const halfedge_descriptor h : CGAL::halfedges_around_target(halfedge(v, graph), graph))
-      if (!is_corner(h))
+      if (!CGAL::is_border(h, graph) && !is_corner(h))
         return m_splits.extend(h);
     return false;
   }
@@ -116,13 +136,41 @@ private:
     const auto& graph = m_splits.graph();
     Sectors result;
     FT unit(1);
-    const halfedge_descriptor first = halfedge(v, graph);
+    const halfedge_descriptor first = first_of_sectors(v);
     halfedge_descriptor h = first;
     do {
       result.push_back({h, unit});
-      unit *= knot(h) / knot(opposite(h, graph));
-      h = prev(opposite(h, graph), graph);
+      const halfedge_descriptor o = opposite(h, graph);
+      if (CGAL::is_border(o, graph))
+        break;
+      unit *= knot(h) / knot(o);
+      h = prev(o, graph);
     } while (h != first);
+    return result;
+  }
+
+  // On the border, of the first face after it, counter-clockwise.
+  halfedge_descriptor first_of_sectors(const vertex_descriptor v) const
+  {
+    const auto& graph = m_splits.graph();
+    for (const halfedge_descriptor h : CGAL::halfedges_around_target(halfedge(v, graph), graph))
+      if (CGAL::is_border(h, graph))
+        return prev(opposite(h, graph), graph);
+    return halfedge(v, graph);
+  }
+
+  // One more than sectors on the border.
+  Spokes spokes(const Sectors& sectors) const
+  {
+    const auto& graph = m_splits.graph();
+    Spokes result;
+    for (const Sector& sector : sectors) {
+      const halfedge_descriptor h = next(sector.h, graph);
+      result.push_back({h, h, target(h, graph), FT(knot(h) * sector.unit), sector.unit});
+    }
+    const Sector& last = sectors.back();
+    if (CGAL::is_border(opposite(last.h, graph), graph))
+      result.push_back({last.h, prev(last.h, graph), source(last.h, graph), FT(knot(last.h) * last.unit), last.unit});
     return result;
   }
 
@@ -135,43 +183,43 @@ private:
       if (result < FT(0) || x < result)
         result = x;
     };
-    for (const Sector& sector : sectors(v)) {
-      const halfedge_descriptor spoke = next(sector.h, graph);
-      const vertex_descriptor end = target(spoke, graph);
-      const FT length = knot(spoke) * sector.unit;
+    const Sectors around = sectors(v);
+    for (const Spoke& spoke : spokes(around)) {
       // Beyond the third ring there must be room for two intervals before a border.
-      bound(is_border(end) ? FT(length * FT(3) / FT(4)) : is_inner_extraordinary(end) ? FT(length / FT(2)) : length);
-      if (is_inner_extraordinary(target(corners_of_face(sector.h)[2], graph))) {
-        const FT width = coordinates().side_length(spoke), height = coordinates().side_length(sector.h);
+      if (is_centre(spoke.end))
+        bound(FT(spoke.length / FT(2)));
+      else
+        bound(ends_at_border(spoke) ? FT(spoke.length * FT(3) / FT(4)) : spoke.length);
+    }
+    for (const Sector& sector : around)
+      if (is_centre(target(corners_of_face(sector.h)[2], graph))) {
+        const FT width = coordinates().side_length(next(sector.h, graph)), height = coordinates().side_length(sector.h);
         bound((std::max)(width, height) * sector.unit / FT(2));
       }
-    }
     return result;
   }
 
   // A third of the clearance, if no short edge would be left on any spoke; or else at most a quarter, a short fraction.
   FT ring_unit(const Plan& plan) const
   {
-    for (const Sector& sector : sectors(plan.v)) {
-      const FT rest = rest_of_spoke(sector, plan.clearance), eps = knot_tolerance(plan.clearance);
+    for (const Spoke& spoke : spokes(sectors(plan.v))) {
+      const FT rest = rest_of_spoke(spoke, plan.clearance), eps = knot_tolerance(plan.clearance);
       if (rest > eps && rest < plan.clearance / FT(4))
         return short_number_below(FT(plan.clearance / FT(4)));
     }
     return plan.clearance / FT(3);
   }
 
-  // What is left of the first edge of a sector by rings that reach as far as the clearances allow.
-  FT rest_of_spoke(const Sector& sector, const FT& reach) const
+  // What is left of a spoke by rings that reach as far as the clearances allow.
+  FT rest_of_spoke(const Spoke& spoke, const FT& reach) const
   {
-    const halfedge_descriptor spoke = next(sector.h, m_splits.graph());
-    const vertex_descriptor end = target(spoke, m_splits.graph());
-    const FT rest = knot(spoke) * sector.unit - reach;
-    if (!is_inner_extraordinary(end))
+    const FT rest = spoke.length - reach;
+    if (!is_centre(spoke.end))
       return rest;
-    const auto found = m_index.find(end);
+    const auto found = m_index.find(spoke.end);
     if (found == m_index.end())
       return FT(rest - reach);
-    return rest - m_plans[found->second].clearance / unit_of_corner(spoke) * sector.unit;
+    return rest - m_plans[found->second].clearance / unit_of_corner(spoke.end_corner) * spoke.unit;
   }
 
   // At most x, at least 8/9 of it: four significant bits.
@@ -206,11 +254,9 @@ private:
   void insert(Plan& plan)
   {
     const Sectors before = sectors(plan.v);
-    for (const Sector& sector : before) {
-      const FT length = knot(next(sector.h, m_splits.graph())) * sector.unit;
-      if (plan.unit * FT(3) > length)
-        plan.unit = length / FT(3);
-    }
+    for (const Spoke& spoke : spokes(before))
+      if (plan.unit * FT(3) > spoke.length)
+        plan.unit = spoke.length / FT(3);
     for (std::size_t i = 0; i < before.size(); ++i) {
       const FT unit = plan.unit / before[i].unit;
       insert(plan.v, i, unit);

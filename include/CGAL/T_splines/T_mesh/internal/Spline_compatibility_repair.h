@@ -214,8 +214,8 @@ private:
       return result;
     for (const Regular_rings<KnotFT>& rings : state.structure.rings())
       for (int sector = 0; sector < rings.valence(); ++sector)
-        for (const std::array<int, 2>& p : {std::array<int, 2>{2, 0}, {2, 1}, {2, 2}, {1, 2}})
-          state.structure.find_knots(rings.vertex(sector, p[0], p[1]));
+        for (const int v : rings.second_ring(sector))
+          state.structure.find_knots(v);
     for (const Spline_defect& defect : state.structure.border_defects_of_rings()) {
       result.push_back(defect.vertex);
       keep_off_border(state, defect);

@@ -38,7 +38,7 @@ bool has_enough_intervals(const Knot_ray<FT>& after, const Knot_ray<FT>& before)
 /// Without borders they are two intersections on either side and the vertex. At a border the knot is repeated so often
 /// that the curve ends at its last control point, and the first knot inside is left out, so that there are as many
 /// cubic basis functions as vertices, "not a knot": with the vertices at t_0, ..., t_m the knots are t_0 (four times),
-/// t_2, ..., t_{m-2}, t_m (four times). \pre has_enough_intervals(after, before)
+/// t_2, ..., t_{m-2}, t_m (four times). A natural end is no border in this sense. \pre has_enough_intervals(after, before)
 template <typename FT>
 std::array<FT, 5> axis_knots(const Knot_ray<FT>& after, const Knot_ray<FT>& before)
 {
@@ -74,10 +74,12 @@ class Basis_knots_finder {
   using Arrays = T_mesh_arrays<FT>;
 
 public:
-  /// \param is_extraordinary per vertex: rays end there
+  /// \param kinds per vertex
   /// \param has_border whether rays must look one intersection farther
-  Basis_knots_finder(const Arrays& t_mesh, const std::vector<char>& is_extraordinary, const bool has_border)
-    : m_tracer(t_mesh, is_extraordinary, has_border)
+  Basis_knots_finder(const Arrays& t_mesh, const std::vector<Vertex_kind>& kinds, const bool has_border)
+    : m_t_mesh(t_mesh),
+      m_kinds(kinds),
+      m_tracer(t_mesh, kinds, has_border)
   {
   }
 
@@ -90,8 +92,11 @@ public:
     if (quarters.size() == 4)
       return result;
     result[quarters.size()] = m_tracer.trace_second(quarters[quarters.size() - 1]);
-    for (int i = quarters.size() + 1; i < 4; ++i)
-      result[i].border = 0;
+    if (m_kinds[m_t_mesh.target(quarters[0].h)] == Vertex_kind::NATURAL_END)
+      result[3].distance = result[1].distance;
+    else
+      for (int i = quarters.size() + 1; i < 4; ++i)
+        result[i].border = 0;
     return result;
   }
 
@@ -109,6 +114,8 @@ public:
   }
 
 private:
+  const Arrays& m_t_mesh;
+  const std::vector<Vertex_kind>& m_kinds;
   Knot_ray_tracer<FT> m_tracer;
 };
 

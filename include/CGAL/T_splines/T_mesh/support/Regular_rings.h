@@ -15,9 +15,11 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// The three rings of square faces around an extraordinary vertex (condition A of [CZ17] 4.1.3).
+/// The three rings of square faces around an extraordinary vertex (condition A of [CZ17] 4.1.3), on the border the part
+/// of them that there is.
 ///
-/// Sector i, the quarter number i, has 3 x 3 cells without the outermost one (2, 2), which changes no knot of a vertex
+/// Spoke i is the first direction of quarter number i; on the border there is one more, the second direction of the last
+/// quarter. Sector i, between the spokes i and i + 1, has 3 x 3 cells without the outermost one (2, 2), which changes no knot of a vertex
 /// of the first two rings; cell (x, y) is the x-th one along spoke i and the y-th one along spoke i + 1. For the same
 /// reason T-joints may lie on the outer rim of the third ring, and vertices of the second ring may be extraordinary.
 template <typename FT>
@@ -27,8 +29,10 @@ class Regular_rings {
 public:
   static constexpr int none = -1;
 
-  /// \param quarters of the vertex `v`, which is not on the border
-  Regular_rings(const Arrays& t_mesh, const Vertex_quarters<FT>& quarters) : m_t_mesh(t_mesh)
+  /// \param quarters of the vertex, three or more on the border
+  Regular_rings(const Arrays& t_mesh, const Vertex_quarters<FT>& quarters)
+    : m_t_mesh(t_mesh),
+      m_is_on_border(t_mesh.is_border_vertex(t_mesh.target(quarters[0].h)))
   {
     for (const Vertex_quarter<FT>& quarter : quarters) {
       m_sectors.emplace_back();
@@ -46,7 +50,8 @@ public:
   /// are regular.
   int bad_face() const { return m_bad_face; }
   bool are_regular() const { return m_bad_face == none; }
-  int valence() const { return static_cast<int>(m_sectors.size()); }
+  int valence() const { return static_cast<int>(m_sectors.size()); } ///< the number of sectors
+  bool is_on_border() const { return m_is_on_border; }               ///< whether the extraordinary vertex is there
 
   /// The face of a cell.
   int face(const int sector, const int x, const int y) const { return m_t_mesh.face(bottom(sector, x, y)); }
@@ -65,6 +70,7 @@ public:
   /// The vertices whose basis functions act in the face at the extraordinary vertex in a sector: 2 n + 8 of them, the
   /// vertex itself; along the first spoke, on the diagonal, along the second spoke and so on around; and of the second
   /// ring those at (2, -1), (2, 0), (2, 1), (2, 2), (1, 2), (0, 2), (-1, 2) in the frame of the sector.
+  /// \pre the extraordinary vertex is not on the border
   std::vector<int> controls(const int sector) const
   {
     const int n = valence();
@@ -77,6 +83,31 @@ public:
     for (const auto& p : {std::array<int, 2>{2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}})
       result.push_back(vertex(sector, p[0], p[1]));
     result.push_back(vertex((sector + 1) % n, 2, 1));
+    return result;
+  }
+
+  /// Those vertices of the second ring that the other sectors do not have.
+  std::vector<int> second_ring(const int sector) const
+  {
+    std::vector<int> result{vertex(sector, 2, 0), vertex(sector, 2, 1), vertex(sector, 2, 2), vertex(sector, 1, 2)};
+    if (m_is_on_border && sector + 1 == valence())
+      result.push_back(vertex(sector, 0, 2));
+    return result;
+  }
+
+  /// All vertices of the first two rings, 6 n + 3 of them, as `Corner_patches` orders them: the extraordinary vertex;
+  /// the first and the second one along each spoke; then of each sector (1, 1), (2, 1), (1, 2), (2, 2).
+  /// \pre the extraordinary vertex is on the border
+  std::vector<int> corner_controls() const
+  {
+    const int n = valence();
+    std::vector<int> result{vertex(0, 0, 0)};
+    for (int i = 0; i <= n; ++i)
+      for (int x = 1; x <= 2; ++x)
+        result.push_back(i < n ? vertex(i, x, 0) : vertex(n - 1, 0, x));
+    for (int i = 0; i < n; ++i)
+      for (const auto& p : {std::array<int, 2>{1, 1}, {2, 1}, {1, 2}, {2, 2}})
+        result.push_back(vertex(i, p[0], p[1]));
     return result;
   }
 
@@ -110,7 +141,7 @@ private:
   // Sectors meet along the spoke between them, unless the first vertex on it is extraordinary. (The second one may be.)
   void check_spokes()
   {
-    for (int i = 0; i < valence(); ++i)
+    for (int i = m_is_on_border ? 1 : 0; i < valence(); ++i)
       for (int x = 0; x < 2; ++x) {
         const int b = bottom(i, x, 0), before = bottom((i + valence() - 1) % valence(), 0, x);
         if (Arrays::opposite(b) != m_t_mesh.prev(before))
@@ -147,6 +178,7 @@ private:
   }
 
   const Arrays& m_t_mesh;
+  bool m_is_on_border;
   std::vector<Sector> m_sectors;
   int m_bad_face = none;
 };

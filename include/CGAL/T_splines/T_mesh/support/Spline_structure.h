@@ -76,7 +76,7 @@ public:
   const Knot_arrays& knot_arrays() const { return m_knot_arrays; }
   bool has_border() const { return m_has_border; }
   const std::vector<int>& extraordinary_vertices() const { return m_extraordinary_vertices; }
-  bool is_extraordinary(const int v) const { return m_is_extraordinary[v]; }
+  bool is_extraordinary(const int v) const { return m_kinds[v] == Vertex_kind::EXTRAORDINARY; }
   bool is_isolated(const int v) const { return m_valence[v] == 0; } ///< it has no faces, and no basis function
 
   /// The halfedge of a face that ends at an extraordinary vertex, where the face has a corner; or `none`.
@@ -93,8 +93,6 @@ public:
         continue;
       if (m_number_of_fans[v] > 1)
         return {Status::TOUCHING_BORDERS, v};
-      if (m_valence[v] > 2)
-        return {Status::UNSUPPORTED_BORDER_VERTEX, v};
     }
     return {};
   }
@@ -145,7 +143,7 @@ public:
     m_knots.resize(m_knot_arrays.number_of_vertices());
     if (is_isolated(v))
       return {};
-    if (m_is_extraordinary[v]) {
+    if (is_extraordinary(v)) {
       m_knots[v] = converted(finder().extraordinary_knots(Vertex_quarters<KnotFT>(m_knot_arrays, v)));
       return {};
     }
@@ -168,8 +166,7 @@ public:
       return result;
     for (const Regular_rings<KnotFT>& rings : m_rings)
       for (int sector = 0; sector < rings.valence(); ++sector)
-        for (const std::array<int, 2>& p : {std::array<int, 2>{2, 0}, {2, 1}, {2, 2}, {1, 2}}) {
-          const int v = rings.vertex(sector, p[0], p[1]);
+        for (const int v : rings.second_ring(sector)) {
           if (!is_uniform(m_knots[v].knots[0]) || !is_uniform(m_knots[v].knots[1]))
             result.push_back({Status::BORDER_IN_RINGS, v, rings.vertex(sector, 0, 0)});
         }
@@ -200,6 +197,31 @@ public:
     return {};
   }
 
+  /// A basis function beyond a natural end. Its control point would be 2 p - q, with those of two vertices: then the
+  /// border of the surface depends on control points of the border alone.
+  struct Natural_end {
+    int border_vertex, inner_vertex; ///< p and q
+    Basis_knots<FT> knots;           ///< in the frame in which its support is found
+  };
+
+  /// Calls `sink(end, support)` for all natural ends: beyond each corner that turns inwards, and the first two vertices
+  /// along both sides of it. Faces at the corner are left out. \pre conditions A and B hold
+  template <typename Sink>
+  void find_natural_ends(const Sink& sink) const
+  {
+    const Ring_controls<FT> controls = ring_controls();
+    Basis_support<FT> support(arrays(), controls);
+    for (const Regular_rings<KnotFT>& rings : m_rings)
+      if (rings.is_on_border()) {
+        const int last = rings.valence() - 1;
+        find_natural_ends_at_corner(rings, support, sink);
+        for (int x = 1; x <= 2; ++x) {
+          find_natural_end(rings.vertex(0, x, 0), rings.vertex(0, x, 1), support, sink);
+          find_natural_end(rings.vertex(last, 0, x), rings.vertex(last, 1, x), support, sink);
+        }
+      }
+  }
+
   /// Calls `sink(defect, support)` for those of the vertices that violate B. \pre their knots are found
   template <typename Sink>
   void for_each_support_defect(const Ring_controls<FT>& controls, const std::vector<int>& vertices,
@@ -220,7 +242,7 @@ private:
   void classify_vertices()
   {
     m_valence.resize(m_knot_arrays.number_of_vertices());
-    m_is_extraordinary.resize(m_knot_arrays.number_of_vertices());
+    m_kinds.resize(m_knot_arrays.number_of_vertices(), Vertex_kind::REGULAR);
     m_corner_of_face.assign(m_knot_arrays.number_of_faces(), none);
     m_number_of_fans.assign(m_knot_arrays.number_of_vertices(), 0);
     for (int h = 0; h < m_knot_arrays.number_of_halfedges(); ++h)
@@ -231,27 +253,54 @@ private:
       const bool is_border = m_knot_arrays.is_border_vertex(v);
       m_has_border = m_has_border || is_border;
       m_valence[v] = m_knot_arrays.extended_valence(v);
-      m_is_extraordinary[v] = !is_border && m_valence[v] != 4;
-      if (!m_is_extraordinary[v])
+      if (is_border ? m_valence[v] <= 2 : m_valence[v] == 4)
         continue;
+      m_kinds[v] = Vertex_kind::EXTRAORDINARY;
       m_extraordinary_vertices.push_back(v);
       m_knot_arrays.for_each_incoming(v, [&](const int h) {
         if (m_knot_arrays.is_corner(h))
           m_corner_of_face[m_knot_arrays.face(h)] = h;
       });
     }
+    for (const int v : m_extraordinary_vertices)
+      if (m_knot_arrays.is_border_vertex(v))
+        mark_natural_ends(v);
   }
 
-  // A face at the extraordinary vertex that has another one as a corner, or `none`.
+  // The first two vertices on both sides along the border.
+  void mark_natural_ends(const int v)
+  {
+    const auto mark = [&](const int w) {
+      if (m_valence[w] == 2)
+        m_kinds[w] = Vertex_kind::NATURAL_END;
+    };
+    const int before = Arrays::opposite(m_knot_arrays.next(m_knot_arrays.incoming(v))); // to v along the border
+    mark(m_knot_arrays.source(before));
+    mark(m_knot_arrays.source(m_knot_arrays.prev(before)));
+    const int after = m_knot_arrays.next(before);
+    mark(m_knot_arrays.target(after));
+    mark(m_knot_arrays.target(m_knot_arrays.next(after)));
+  }
+
+  // A face at the extraordinary vertex that has another one as a corner, or `none`; likewise a face of the first two
+  // rings if both vertices are on one border.
   int face_with_two(const Regular_rings<KnotFT>& rings) const
   {
-    for (int sector = 0; sector < rings.valence(); ++sector)
-      if (m_is_extraordinary[rings.vertex(sector, 1, 0)] || m_is_extraordinary[rings.vertex(sector, 1, 1)])
+    const int n = rings.valence();
+    for (int sector = 0; sector < n; ++sector)
+      if (is_extraordinary(rings.vertex(sector, 1, 0)) || is_extraordinary(rings.vertex(sector, 1, 1)))
         return rings.face(sector, 0, 0);
+    if (rings.is_on_border()) {
+      if (is_extraordinary(rings.vertex(0, 2, 0)))
+        return rings.face(0, 1, 0);
+      for (int y = 1; y <= 2; ++y)
+        if (is_extraordinary(rings.vertex(n - 1, 0, y)))
+          return rings.face(n - 1, 0, y - 1);
+    }
     return none;
   }
 
-  Basis_knots_finder<KnotFT> finder() const { return {m_knot_arrays, m_is_extraordinary, m_has_border}; }
+  Basis_knots_finder<KnotFT> finder() const { return {m_knot_arrays, m_kinds, m_has_border}; }
 
   // The second knot outside may be any: it is not seen from the faces at the extraordinary vertex.
   static bool is_uniform(const std::array<FT, 5>& k)
@@ -273,6 +322,41 @@ private:
     return {};
   }
 
+  // The surface is on the left of the border: the second axis points inwards.
+  template <typename Sink>
+  void find_natural_end(const int border_vertex, const int inner_vertex, Basis_support<FT>& support,
+                        const Sink& sink) const
+  {
+    const Basis_knots<FT>& knots = m_knots[border_vertex];
+    const Natural_end end{border_vertex, inner_vertex, {{knots.knots[0], knots_beyond(knots.knots[1])}}};
+    support.find(border_vertex, Vertex_quarters<FT>(arrays(), border_vertex), end.knots);
+    sink(end, support);
+  }
+
+  // In the frames of the first and of the last quarter: elsewhere they do not act.
+  template <typename Sink>
+  void find_natural_ends_at_corner(const Regular_rings<KnotFT>& rings, Basis_support<FT>& support,
+                                   const Sink& sink) const
+  {
+    const int v = rings.vertex(0, 0, 0), last = rings.valence() - 1;
+    const Vertex_quarters<FT> quarters(arrays(), v);
+    const std::array<FT, 5>&uniform = m_knots[v].knots[0], beyond = knots_beyond(uniform);
+    const Natural_end first{v, rings.vertex(0, 0, 1), {{uniform, beyond}}},
+        second{v, rings.vertex(last, 1, 0), {{beyond, uniform}}};
+    support.find(v, std::array<Vertex_quarter<FT>, 1>{quarters[0]}, first.knots);
+    sink(first, support);
+    support.find(v, std::array<Vertex_quarter<FT>, 1>{quarters[last]}, second.knots);
+    sink(second, support);
+  }
+
+  static std::array<FT, 5> knots_beyond(std::array<FT, 5> uniform)
+  {
+    const FT d = uniform[3];
+    for (FT& x : uniform)
+      x -= d;
+    return uniform;
+  }
+
   static Basis_knots<FT> converted(const Basis_knots<KnotFT>& knots)
   {
     Basis_knots<FT> result;
@@ -287,7 +371,7 @@ private:
   Arrays m_arrays; // empty if the number types are the same
   bool m_has_border = false;
   std::vector<int> m_valence, m_number_of_fans, m_extraordinary_vertices, m_corner_of_face;
-  std::vector<char> m_is_extraordinary;
+  std::vector<Vertex_kind> m_kinds;
   std::vector<Regular_rings<KnotFT>> m_rings;
   std::vector<Basis_knots<FT>> m_knots;
 };
