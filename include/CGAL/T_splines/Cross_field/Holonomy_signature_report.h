@@ -42,7 +42,7 @@ enum class Holonomy_signature_status {
   LOOP_NOT_INTEGER,      ///< the turns along loop number `index` are not a multiple of pi/2 within 1e-6
   ARC_NOT_INTEGER,       ///< the turns along arc number `index` are not a multiple of pi/2 within 1e-6
   CORNERS_NOT_MET,   ///< the field makes `actual` quarter turns at `vertex`, on the border, where the corners that are
-                     ///< given say `expected`
+                     ///< given say `expected`, and no inner vertex can make up for it
   FIELD_NOT_ALIGNED, ///< the field does not follow the border at `halfedge`: it is off by `deviation`
   INTERRUPTED        ///< the visitor asked to stop
 };
@@ -85,9 +85,9 @@ inline const char* message(const Holonomy_signature_status status)
   case Holonomy_signature_status::LOOP_NOT_INTEGER: return "the field does not close up along a loop";
   case Holonomy_signature_status::ARC_NOT_INTEGER: return "the field does not close up along an arc";
   case Holonomy_signature_status::CORNERS_NOT_MET:
-    return "the field does not have the corners that are given; where the mesh is too coarse for them, it needs "
-           "smaller "
-           "triangles at the border";
+    return "the field does not have the corners that are given, and no inner vertex can make up for it; where the mesh "
+           "is "
+           "too coarse for them, it needs smaller triangles at the border";
   case Holonomy_signature_status::FIELD_NOT_ALIGNED: return "the field does not follow the border";
   case Holonomy_signature_status::INTERRUPTED: return "interrupted by the visitor";
   }

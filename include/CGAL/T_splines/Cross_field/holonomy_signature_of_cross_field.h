@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
+#include <CGAL/T_splines/Cross_field/internal/Corner_turns.h>
 #include <CGAL/T_splines/Cross_field/internal/Signature_domain.h>
 #include <CGAL/T_splines/Cross_field/internal/check_numbered_vertices.h>
 #include <CGAL/T_splines/Cross_field/support/cross_angles.h>
@@ -173,7 +174,8 @@ void check_corners_are_met(const Signature_domain<TriangleMesh>& domain, const B
 ///     \cgalParamDefault{none: the closest rotation decides}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{corners}
-///     \cgalParamDescription{the vertices on the border with other than two quarter turns, and their numbers}
+///     \cgalParamDescription{the vertices on the border with other than two quarter turns, and their numbers. Where the
+///       crosses turn otherwise, the difference is carried to inner vertices nearby}
 ///     \cgalParamType{`std::optional<std::vector<Holonomy_signature<TriangleMesh>::Corner>>`}
 ///     \cgalParamDefault{`std::nullopt`: where the border turns by more than the corner angle}
 ///   \cgalParamNEnd
@@ -246,10 +248,16 @@ holonomy_signature_of_cross_field(const TriangleMesh& mesh, const CrossFieldMap&
     return report;
   }
   field.rotation = internal::matched_rotations(domain, angle, np);
+  const bool has_given_corners = internal::given_corners<TriangleMesh>(np).has_value();
+  if (has_given_corners) {
+    const std::vector<double> turns = internal::vertex_quarter_turns(
+        domain.m_connectivity, domain.m_geometry.m_corner_angle, field.rotation, field.border_cross);
+    internal::Corner_turns(domain.m_connectivity, turns, field.rotation).carry(guide.quarter_turns(), progress);
+  }
   Holonomy_signature<TriangleMesh> result;
   if (progress.go_on())
     internal::signature_of_rotations(domain, field, progress, result, report);
-  if (report.success() && !progress.is_interrupted() && internal::given_corners<TriangleMesh>(np))
+  if (report.success() && !progress.is_interrupted() && has_given_corners)
     internal::check_corners_are_met(domain, guide, result, report);
   if (progress.is_interrupted())
     report.status = Holonomy_signature_status::INTERRUPTED;
