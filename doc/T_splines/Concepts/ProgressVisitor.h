@@ -43,7 +43,7 @@ These are the stages. What a function calls in its turn is a part of its own sta
 | `fit_T_spline()`, `fit_adaptive_T_spline()` | "fit", in the latter once for each level |
 | `compile_T_spline()` | "compilation" |
 | `tessellate_T_spline()`, `tessellate_parameter_domain()` | "tessellation" |
-| `measure_T_spline_deviation()` | "preparation", "surface to mesh", "mesh to surface" |
+| `measure_T_spline_deviation()` | "preparation", "surface to mesh", "mesh to surface", "free edge" |
 | `check_T_spline_self_intersections()` | "self-intersections" |
 
 \cgalRefines{CopyConstructible}

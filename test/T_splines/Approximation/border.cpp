@@ -95,12 +95,18 @@ TEST_CASE("the border of the surface is that of the mesh, within the tolerance, 
     INFO(describe(report, mesh));
     REQUIRE(report.within_tolerance());
     Mesh surface;
-    REQUIRE(T::tessellate_T_spline(spline.surface(), 8, surface));
+    REQUIRE(T::tessellate_T_spline(spline.surface(), 32, surface));
     const std::vector<Segment> wanted = border_of(mesh), actual = border_of(surface);
     REQUIRE_FALSE(actual.empty());
     const double tolerance = T::default_tolerance * report.fit.deviation.mesh_to_surface.extent;
     CHECK(distance(actual, wanted) <= tolerance);
     CHECK(distance(wanted, actual) <= tolerance);
+    // The report says the same; the middles and ends find almost all of it.
+    REQUIRE(report.fit.deviation.free_edge);
+    const auto& free_edge = *report.fit.deviation.free_edge;
+    CHECK(free_edge.surface_to_mesh.maximum == Approx(distance(actual, wanted)).epsilon(0.02));
+    CHECK(free_edge.mesh_to_surface.maximum == Approx(distance(wanted, actual)).epsilon(0.02));
+    CHECK(free_edge.largest_corner_distance <= 1e-12);
   }
 }
 
@@ -108,7 +114,10 @@ TEST_CASE("the surface goes through the corners of the mesh", "[border]")
 {
   Mesh mesh = wavy_plate();
   T::T_spline<Kernel> spline;
-  REQUIRE(T::approximate_by_T_spline(mesh, spline));
+  const auto report = T::approximate_by_T_spline(mesh, spline);
+  REQUIRE(report);
+  CHECK(report.fit.deviation.free_edge->number_of_corners == 4);
+  CHECK(report.fit.deviation.free_edge->largest_corner_distance <= 1e-12);
   const auto surface = spline.surface();
   const T::T_mesh_coordinates coordinates(spline);
   int corners = 0;

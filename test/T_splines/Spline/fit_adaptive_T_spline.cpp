@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Spline/Mesh_distance.h>
 #include <CGAL/T_splines/Spline/T_spline_closest_point.h>
 #include <CGAL/T_splines/Spline/check_T_spline_self_intersections.h>
+#include <CGAL/T_splines/Spline/tessellate_T_spline.h>
 #include <CGAL/T_splines/T_mesh/check_spline_compatibility.h>
 
 #include "Spline/Carried_box.h"
@@ -17,7 +18,9 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>
+#include <CGAL/Segment_3.h>
 #include <CGAL/iterator.h>
+#include <CGAL/squared_distance_3.h>
 
 #include <boost/container_hash/hash.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -25,8 +28,10 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -332,6 +337,70 @@ TEST_CASE("Bad input of an adaptive fit is refused, and nothing is written")
   {
     CHECK(refused(1e-5, CGAL::parameters::visitor(Stopping_visitor())).status == Status::INTERRUPTED);
   }
+}
+
+namespace {
+
+std::vector<Kernel::Segment_3> border_of(const Mesh& mesh)
+{
+  std::vector<Kernel::Segment_3> result;
+  for (const auto h : mesh.halfedges())
+    if (mesh.is_border(h))
+      result.emplace_back(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+  return result;
+}
+
+/// The largest distance of points on segments from other segments.
+double distance(const std::vector<Kernel::Segment_3>& from, const std::vector<Kernel::Segment_3>& to)
+{
+  constexpr int points_per_segment = 8;
+  double largest = 0;
+  for (const auto& s : from)
+    for (int i = 0; i < points_per_segment; ++i) {
+      const Point_3 p = s.source() + double(i) / points_per_segment * s.to_vector();
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const auto& t : to)
+        nearest = std::min(nearest, CGAL::squared_distance(p, t));
+      largest = std::max(largest, std::sqrt(nearest));
+    }
+  return largest;
+}
+
+} // namespace
+
+TEST_CASE("a notch in the border that hardly changes the surface is refined", "[fit_adaptive_T_spline]")
+{
+  // The square [-1, 1]^2 with a notch from below, 0.1 deep and at most 0.025 wide.
+  const Carried_box box(
+      16,
+      [](const Point_3& p, const int n) {
+        const double x = p.y() / n, y = p.z() / n, depth = 0.1;
+        if (p.y() == 0)
+          return Point_3(0, y + depth * (1 - y) / 2, 0);
+        return Point_3(p.z() == -n && std::abs(p.y()) == 2 ? 0.1 * x : x, y, 0);
+      },
+      1);
+  const double tolerance = 0.02;
+  Result result;
+  const auto report = fit(box, tolerance, result);
+  INFO(describe(report, box.t_mesh.graph()));
+  CHECK(report.within_tolerance());
+  CHECK(report.levels.size() > 1);
+  CHECK(report.levels.front().error.maximum > 2 * tolerance);
+  REQUIRE(report.deviation.free_edge);
+  Mesh surface;
+  REQUIRE(T::tessellate_T_spline(result.surface(), 16, surface));
+  const auto wanted = border_of(box.mesh), actual = border_of(surface);
+  CHECK(distance(wanted, actual) <= tolerance);
+  CHECK(distance(actual, wanted) <= tolerance);
+  CHECK(std::max(distance(wanted, actual), distance(actual, wanted)) ==
+        Approx(report.deviation.free_edge->maximum()).epsilon(0.02));
+  // A coarse surface is as near, but for its border.
+  Result coarse;
+  const auto first = fit(box, tolerance, coarse, P::maximum_number_of_control_points(std::optional<std::size_t>(20)));
+  CHECK_FALSE(first.within_tolerance());
+  CHECK(first.deviation.maximum() <= tolerance);
+  CHECK(first.deviation.free_edge->maximum() > 2 * tolerance);
 }
 
 } // namespace fit_adaptive_T_spline_test

@@ -20,8 +20,8 @@ namespace T_splines {
 /// \ingroup PkgTSplinesSpline
 /// Why an adaptive fit ended. With the first four values there is a surface.
 enum class Adaptive_fit_status {
-  WITHIN_TOLERANCE, ///< measured: neither is farther from the other than the tolerance, surface and mesh; the surface
-                    ///< has no folds and passes through itself nowhere but where the mesh does
+  WITHIN_TOLERANCE,    ///< measured: neither is farther from the other than the tolerance, surface and mesh, or their
+                       ///< borders; the surface has no folds and passes through itself nowhere but where the mesh does
   CONTROL_POINT_LIMIT, ///< refinement would need more control points than `limit`
   NO_IMPROVEMENT,      ///< eight refinements in turn, or three that doubled the control points, reduced neither errors
                        ///< nor folds by a tenth
@@ -96,8 +96,8 @@ struct Adaptive_fit_report {
   /// converts to `true` upon success.
   explicit operator bool() const { return success(); }
 
-  /// returns whether the surface that was written is what was asked for: within the tolerance both ways, without folds,
-  /// and without self-intersections where the mesh has none.
+  /// returns whether the surface that was written is what was asked for: within the tolerance both ways, as is its
+  /// border, without folds, and without self-intersections where the mesh has none.
   bool within_tolerance() const { return status == Adaptive_fit_status::WITHIN_TOLERANCE; }
 };
 
@@ -113,8 +113,10 @@ std::string described_quality(const Adaptive_fit_report<Graph, SplineGraph, Tria
     std::snprintf(text, sizeof(text), "%.3g", extent > 0 ? length / extent : 0.);
     return std::string(text);
   };
-  std::string text = "distance " + relative(report.deviation.maximum()) + ", tolerance " +
-                     relative(report.deviation.tolerance) + " of the longest side";
+  std::string text = "distance " + relative(report.deviation.maximum());
+  if (report.deviation.free_edge)
+    text += ", of the borders " + relative(report.deviation.free_edge->maximum());
+  text += ", tolerance " + relative(report.deviation.tolerance) + " of the longest side";
   if (report.deviation.has_folds())
     text += ", " + std::to_string(report.deviation.normals.number_of_folded_patches) + " patches with folds";
   if (!report.self_intersections.success())

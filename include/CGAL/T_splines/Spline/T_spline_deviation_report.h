@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace CGAL {
@@ -49,15 +50,15 @@ inline const char* message(const T_spline_deviation_status status)
 }
 
 /// \ingroup PkgTSplinesSpline
-/// The distances of the points of one surface from another.
+/// The distances of the points of one surface, or of its border, from another.
 struct One_way_deviation {
-  double rms = 0;         ///< root of the mean of the squared distances, weighted by area
+  double rms = 0;         ///< root of the mean of the squared distances, weighted by area; of borders, by length
   double maximum = 0;     ///< the largest distance found
   double upper_bound = 0; ///< no distance is larger: proven
   double extent = 0;      ///< the longest side of the bounding box of the mesh: that of the cube which encloses it
   CGAL::Simple_cartesian<double>::Point_3 farthest_point = {0, 0, 0}; ///< the point with the largest distance found
   CGAL::Simple_cartesian<double>::Point_3 closest_point = {0, 0, 0};  ///< the point of the other surface closest to it
-  double share_within_tolerance = 1; ///< of the area, the share with distances of at most the tolerance
+  double share_within_tolerance = 1; ///< of the area or length, the share with distances of at most the tolerance
   double share_within_half = 1;      ///< and of at most half of it
   std::size_t number_of_samples = 0; ///< at how many points distances were measured for the mean
 
@@ -82,6 +83,40 @@ struct Deviation_place {
   /// The face of the mesh next to it.
   typename boost::graph_traits<TriangleMesh>::face_descriptor mesh_face =
       boost::graph_traits<TriangleMesh>::null_face();
+};
+
+/// \ingroup PkgTSplinesSpline
+/// Where something was found on the border: a place of the T-spline surface, and the edge of the mesh next to it.
+/// \tparam Graph the T-mesh, a model of `FaceGraph`
+/// \tparam TriangleMesh the mesh, a model of `FaceGraph`
+template <typename Graph, typename TriangleMesh>
+struct Free_edge_place {
+  T_mesh_place<Graph, double> place; ///< of the T-spline surface
+  /// The border halfedge of the mesh next to it.
+  typename boost::graph_traits<TriangleMesh>::halfedge_descriptor mesh_halfedge =
+      boost::graph_traits<TriangleMesh>::null_halfedge();
+};
+
+/// \ingroup PkgTSplinesSpline
+/// The distances between the border of a surface and that of a mesh, both ways: between a point of the one and the
+/// closest point of the other. Means are weighted by length.
+template <typename Graph, typename TriangleMesh>
+struct Free_edge_deviation {
+  One_way_deviation mesh_to_surface; ///< of the points of the mesh's border from that of the surface
+  One_way_deviation surface_to_mesh; ///< of the points of the surface's border from that of the mesh
+  Free_edge_place<Graph, TriangleMesh> mesh_to_surface_place; ///< of the largest distance
+  Free_edge_place<Graph, TriangleMesh> surface_to_mesh_place; ///< of the largest distance
+  /// Of the surface: border vertices of the T-mesh with an extended valence other than 2.
+  std::size_t number_of_corners = 0;
+  /// Of a corner of the surface from the vertex of the mesh's border closest to it.
+  double largest_corner_distance = 0;
+
+  /// returns the Hausdorff distance of the two borders, as found.
+  double maximum() const { return (std::max)(mesh_to_surface.maximum, surface_to_mesh.maximum); }
+  /// returns a proven bound of the Hausdorff distance.
+  double upper_bound() const { return (std::max)(mesh_to_surface.upper_bound, surface_to_mesh.upper_bound); }
+  /// returns the larger one of the two root mean squares.
+  double rms() const { return (std::max)(mesh_to_surface.rms, surface_to_mesh.rms); }
 };
 
 /// \ingroup PkgTSplinesSpline
@@ -113,11 +148,13 @@ struct T_spline_deviation_report {
   T_spline_deviation_status status = T_spline_deviation_status::MEASURED; ///< whether the distances are known
   typename Traits::vertex_descriptor vertex = Traits::null_vertex();      ///< the vertex that `status` is about
   typename Traits::face_descriptor face = Traits::null_face();            ///< the face that `status` is about
-  One_way_deviation mesh_to_surface;                            ///< of the points of the mesh from the surface
-  One_way_deviation surface_to_mesh;                            ///< of the points of the surface from the mesh
-  Deviation_place<Graph, TriangleMesh> mesh_to_surface_place;   ///< of the largest distance
-  Deviation_place<Graph, TriangleMesh> surface_to_mesh_place;   ///< of the largest distance
-  Normal_deviation<Graph, TriangleMesh> normals;                ///< the angles between the normals
+  One_way_deviation mesh_to_surface;                          ///< of the points of the mesh from the surface
+  One_way_deviation surface_to_mesh;                          ///< of the points of the surface from the mesh
+  Deviation_place<Graph, TriangleMesh> mesh_to_surface_place; ///< of the largest distance
+  Deviation_place<Graph, TriangleMesh> surface_to_mesh_place; ///< of the largest distance
+  Normal_deviation<Graph, TriangleMesh> normals;              ///< the angles between the normals
+  /// Between the borders; none unless both have one.
+  std::optional<Free_edge_deviation<Graph, TriangleMesh>> free_edge;
   double tolerance = (std::numeric_limits<double>::infinity)(); ///< that was given, as a length
 
   /// returns the Hausdorff distance, as found.
@@ -126,8 +163,9 @@ struct T_spline_deviation_report {
   /// returns a proven bound of the Hausdorff distance.
   double upper_bound() const { return (std::max)(mesh_to_surface.upper_bound, surface_to_mesh.upper_bound); }
 
-  /// returns whether no distance was found that exceeds the tolerance.
-  bool within_tolerance() const { return maximum() <= tolerance; }
+  /// returns whether no distance was found that exceeds the tolerance, neither between the surfaces nor between their
+  /// borders.
+  bool within_tolerance() const { return maximum() <= tolerance && (!free_edge || free_edge->maximum() <= tolerance); }
 
   /// returns whether there are folds. Doubtful places do not count.
   bool has_folds() const { return normals.number_of_folded_patches > 0; }

@@ -86,15 +86,15 @@ Carried_surface<ToGraph> copied_surface(const Mesh_indexing<Graph>& indexing, co
 } // namespace internal
 
 /// \ingroup PkgTSplinesSpline
-/// approximates a mesh by a T-spline surface within a tolerance, both ways and without folds ([He06] section 3.3): fits,
-/// refines the T-mesh where the surface is too far from the mesh, and fits again.
+/// approximates a mesh, and its border if it has one, by a T-spline surface within a tolerance, both ways and without
+/// folds ([He06] section 3.3): fits, refines the T-mesh where the surface is too far from the mesh, and fits again.
 ///
 /// In each level, the T-mesh is made spline compatible, and the control points minimize the squared distances of the
 /// surface from the mesh and the thin-plate energy of `fit_T_spline()`. The distances are taken at a grid of places in
-/// every Bezier cell and along sharp edges of the mesh. The points of the mesh that these places aim at are those that
-/// the T-mesh carries there at first, then the closest ones, as long as this reduces the root mean square by half a
-/// percent or more; the iteration is accelerated. A level begins with what the surface of the last one is closest to, if
-/// that is near. Where the surface folds, it is made stiffer.
+/// every Bezier cell, along sharp edges of the mesh and along the border, which aims at that of the mesh. The points of
+/// the mesh that these places aim at are those that the T-mesh carries there at first, then the closest ones, as long
+/// as this reduces the root mean square by half a percent or more; the iteration is accelerated. A level begins with
+/// what the surface of the last one is closest to, if that is near. Where the surface folds, it is made stiffer.
 ///
 /// Where the distance is larger than the tolerance, or where the surface folds, the faces of the given T-mesh are split,
 /// into four if the distance is more than twice the tolerance, else into two. Neighbours differ in size by a factor of 6

@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/Spline/internal/Distances_to_mesh.h>
 #include <CGAL/T_splines/Spline/internal/Distances_to_surface.h>
 #include <CGAL/T_splines/Spline/internal/Fold_search.h>
+#include <CGAL/T_splines/Spline/internal/Free_edge_measurement.h>
 #include <CGAL/T_splines/Spline/internal/Measured_mesh.h>
 #include <CGAL/T_splines/Spline/internal/Measured_surface.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
@@ -119,6 +120,16 @@ public:
                                       m_reading.faces[farthest.triangle]};
   }
 
+  void measure_free_edge()
+  {
+    using Free_edge = Free_edge_measurement<Measured, TriangleMesh>;
+    Free_edge measurement(m_mesh.triangles, m_reading, m_surface, negligible(), m_progress);
+    if (measurement.is_possible())
+      measurement.measure(
+          m_report.tolerance, [&](const int face, const double distance) { attribute(face, distance); },
+          m_report.free_edge.emplace());
+  }
+
   const std::vector<double>& vertex_distances() const { return m_vertex_distances; }
   double face_deviation(const std::size_t face) const { return m_face_deviations[face]; }
   Fold_state face_state(const std::size_t face) const { return m_face_states[face]; }
@@ -212,6 +223,9 @@ private:
 /// and bound, until it is certain to 1 percent; where this would take too long, as for surfaces that are equally far
 /// everywhere, `upper_bound` tells what is certain. Means are weighted by area.
 ///
+/// If surface and mesh have borders, the free edges, these are measured against each other, too, as curves: where the
+/// surface ends too early or too late, points inside are close to each other nevertheless.
+///
 /// Around extraordinary vertices the caps of `compile_T_spline()` are measured; how far they are from the surface,
 /// `cap_deviation()` tells.
 /// \tparam Surface a `T_spline_surface` or a `Compiled_T_spline`, with which this is faster; their `FT` is `double` or
@@ -244,7 +258,7 @@ private:
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_deviation_map}
 ///     \cgalParamDescription{receives the largest distance found of a point of the face from the mesh, and of a point
-///       of the mesh whose closest point is in the face}
+///       of the mesh whose closest point is in the face; likewise of the borders}
 ///     \cgalParamType{a model of `WritablePropertyMap`, face of the T-mesh -> `double`}
 ///     \cgalParamDefault{none is written}
 ///   \cgalParamNEnd
@@ -322,6 +336,10 @@ measure_T_spline_deviation(const Surface& surface, const TriangleMesh& mesh,
     return report;
   progress.begin_stage("mesh to surface");
   measurement.measure_mesh();
+  if (is_interrupted())
+    return report;
+  progress.begin_stage("free edge");
+  measurement.measure_free_edge();
   if (is_interrupted())
     return report;
   if constexpr (!internal::is_missing<decltype(distance_map)>)

@@ -349,7 +349,7 @@ private:
     if (!m_measured)
       return;
     const Deviation_report& deviation = m_measured->deviation;
-    error.maximum = deviation.maximum();
+    error.maximum = (std::max)(deviation.maximum(), deviation.free_edge ? deviation.free_edge->maximum() : 0);
     error.rms = (std::max)(deviation.mesh_to_surface.rms, deviation.surface_to_mesh.rms);
     if (!deviation.within_tolerance() || deviation.has_folds())
       return;
@@ -373,6 +373,7 @@ private:
         m_reference.measured(), m_reference.reading(), surface, m_caller, level.deviation);
     measurement.measure_surface();
     measurement.measure_mesh();
+    measurement.measure_free_edge();
     if (m_caller.is_interrupted())
       return std::nullopt;
     for (int i = 0; i < compiled.indexing().number_of_faces(); ++i)

@@ -7,12 +7,14 @@
 #include <CGAL/T_splines/Spline/T_spline_fit_report.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
 #include <CGAL/T_splines/Spline/internal/Anderson_acceleration.h>
+#include <CGAL/T_splines/Spline/internal/Border_curve.h>
 #include <CGAL/T_splines/Spline/internal/Box_tree.h>
 #include <CGAL/T_splines/Spline/internal/Carried_spline.h>
 #include <CGAL/T_splines/Spline/internal/Fitted_surface.h>
 #include <CGAL/T_splines/Spline/internal/Fitting_system.h>
 #include <CGAL/T_splines/Spline/internal/Fold_state.h>
 #include <CGAL/T_splines/Spline/internal/Parameter_correction.h>
+#include <CGAL/T_splines/Spline/internal/Segment_tree.h>
 #include <CGAL/T_splines/Spline/internal/Surface_sampling.h>
 #include <CGAL/T_splines/Spline/internal/Surface_walk.h>
 #include <CGAL/T_splines/T_mesh/Carried_surface.h>
@@ -341,7 +343,8 @@ private:
     return std::sqrt(sum / area);
   }
 
-  // Distances of the surface from the mesh in the cells, and of edges and vertices of the mesh from the surface.
+  // Distances of the surface from the mesh in the cells, and of edges and vertices of the mesh from the surface; those
+  // of the borders likewise.
   void measure(const double tolerance, T_spline_fit_report<Graph>& report)
   {
     m_faces.assign(m_fitted.surface().t_mesh_arrays().number_of_faces(), Face_fit());
@@ -366,11 +369,40 @@ private:
     for (std::size_t i = 0; i < m_border.size(); ++i)
       m_faces[m_border[i].face].distance =
           (std::max)(m_faces[m_border[i].face].distance, std::sqrt(m_border_feet[i].squared_distance));
+    measure_border_of_mesh(tolerance, compiled);
     measure_points_of_mesh(tolerance, compiled);
     report.error.maximum = 0;
     for (const Face_fit& face : m_faces)
       report.error.maximum = (std::max)(report.error.maximum, face.distance);
     report.error.extent = m_box.extent();
+  }
+
+  // Of the vertices and the middles of edges on the border of the mesh from that of the surface: where the mesh has a
+  // narrow notch, all of the surface may be near to it, its border to that of the mesh, but not the other way round.
+  void measure_border_of_mesh(const double tolerance, const Compiled& compiled)
+  {
+    if (m_border.empty())
+      return;
+    const std::vector<Border_curve> curves = border_curves(compiled);
+    constexpr double share_of_tolerance = 0.01;
+    const std::vector<Cubic_arc> arcs = flat_arcs(curves, share_of_tolerance * tolerance);
+    const Segment_tree tree(chords(arcs), m_progress);
+    const auto& points = m_carried.points();
+    std::size_t hint = 0;
+    for (std::size_t i = 0; i < m_carried.triangles().size() && m_progress.go_on_after(1); ++i)
+      for (std::size_t side = 0; side < 3; ++side) {
+        if (m_walk.across(i, side) != i)
+          continue;
+        const Point_3 &a = points[m_carried.triangles()[i][side]],
+                      &b = points[m_carried.triangles()[i][(side + 1) % 3]];
+        for (const Point_3& p : {a, CGAL::midpoint(a, b)}) {
+          const std::array<double, 3> q = in_doubles(relative(p));
+          const Segment_tree::Foot foot = tree.foot(Point_3(q[0], q[1], q[2]), hint);
+          hint = foot.segment;
+          Face_fit& face = m_faces[curves[arcs[hint].curve].face];
+          face.distance = (std::max)(face.distance, foot.distance());
+        }
+      }
   }
 
   // From the places that the map gives them, steps lead to the closest places of the surface. Where that seems to end too

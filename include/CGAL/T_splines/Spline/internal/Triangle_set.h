@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/internal/converted_number.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -33,6 +34,7 @@ struct Triangle_set {
 
   std::vector<Point_3> points;
   std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<std::array<std::size_t, 2>> border; ///< the edges on the border of a mesh
 
   Triangle_3 triangle(const std::size_t i) const
   {
@@ -79,6 +81,7 @@ struct Triangle_reading {
   typename Traits::face_descriptor face = Traits::null_face();
   std::vector<typename Traits::vertex_descriptor> vertices; ///< of the points
   std::vector<typename Traits::face_descriptor> faces;      ///< of the triangles
+  std::vector<typename Traits::halfedge_descriptor> border; ///< of the edges on the border
 };
 
 /// Reads a mesh. Its points are the vertices of faces, in the order in which faces name them: neighbours follow each
@@ -119,6 +122,11 @@ Triangle_reading<TriangleMesh> read_triangle_set(const TriangleMesh& mesh, const
     }
     set.triangles.push_back(triangle);
     reading.faces.push_back(f);
+    for (const auto side : CGAL::halfedges_around_face(h, mesh))
+      if (CGAL::is_border(opposite(side, mesh), mesh)) {
+        set.border.push_back({get(index, source(side, mesh)), get(index, target(side, mesh))});
+        reading.border.push_back(opposite(side, mesh));
+      }
   }
   if (set.triangles.empty())
     reading.status = T_spline_deviation_status::NO_FACES;
