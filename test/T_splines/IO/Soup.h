@@ -121,7 +121,7 @@ struct Read_soup {
 
   Mesh mesh;
   CGAL::T_splines::Mesh_reading_report report;
-  double volume = 0;
+  double volume = 0; ///< of a closed surface
   std::size_t components = 0;
   long euler_characteristic = 0;
 
@@ -135,7 +135,8 @@ struct Read_soup {
     report = CGAL::T_splines::read_triangle_mesh(name, mesh, np);
     if (!report.success())
       return;
-    volume = CGAL::Polygon_mesh_processing::volume(mesh);
+    if (CGAL::is_closed(mesh))
+      volume = CGAL::Polygon_mesh_processing::volume(mesh);
     auto component = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component").first;
     components = CGAL::Polygon_mesh_processing::connected_components(mesh, component);
     euler_characteristic = static_cast<long>(mesh.number_of_vertices()) - static_cast<long>(mesh.number_of_edges()) +

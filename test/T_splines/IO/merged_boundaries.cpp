@@ -148,8 +148,17 @@ TEST_CASE("a crack is no border, unless it is meant")
   Soup soup = box().split();
   for (std::size_t i = 0; i < 4; ++i)
     soup.points[i][2] -= 3e-5;
-  CHECK(Read_soup(soup).report.status == Status::BOUNDARY);
-  CHECK(Read_soup(soup, ".off", P::border_is_allowed(false)).report.status == Status::BOUNDARY);
+  const Read_soup crack(soup);
+  REQUIRE(crack.report.status == Status::BOUNDARY);
+  CHECK(crack.report.number_of_boundary_loops == 2);
+  CHECK(crack.report.closing_distance.has_value());
+  REQUIRE(crack.report.face < soup.faces.size()); // the edge is named in the numbers of the file
+  for (const std::size_t v : {crack.report.vertex, crack.report.other_vertex}) {
+    const std::vector<std::size_t>& face = soup.faces[crack.report.face];
+    CHECK(std::find(face.begin(), face.end(), v) != face.end());
+  }
+  const Read_soup forbidden(soup, ".off", P::border_is_allowed(false));
+  CHECK(describe(forbidden.report) == describe(crack.report));
   const Read_soup meant(soup, ".off", P::border_is_allowed(true));
   REQUIRE(meant.report.success());
   CHECK(meant.report.number_of_boundary_loops == 2);

@@ -47,6 +47,9 @@ public:
     return m_progress.go_on() ? report : report_of(Mesh_reading_status::INTERRUPTED);
   }
 
+  /// The first edge with one polygon only that `check()` has met; a success if there is none.
+  const Mesh_reading_report& boundary_report() const { return m_boundary_report; }
+
   /// The polygons alone: how many corners they have, and that these are different.
   Mesh_reading_report check_polygons() const
   {
@@ -165,9 +168,9 @@ private:
     }
     if (inconsistent != nullptr)
       return report_orientation(*inconsistent);
-    if (boundary != nullptr && !m_is_boundary_admitted)
-      return report_side(Mesh_reading_status::BOUNDARY, *boundary);
-    return Mesh_reading_report();
+    if (boundary != nullptr)
+      m_boundary_report = report_side(Mesh_reading_status::BOUNDARY, *boundary);
+    return m_is_boundary_admitted ? Mesh_reading_report() : m_boundary_report;
   }
 
   /// Whether some choice of orientations is consistent decides between the two messages.
@@ -256,6 +259,7 @@ private:
   const Polygon_soup& m_soup;
   const bool m_is_boundary_admitted;
   Progress& m_progress;
+  Mesh_reading_report m_boundary_report;
   std::vector<Side> m_sides;
   std::vector<std::size_t> m_opposite; ///< per corner: the corner at which the opposite side begins
 };

@@ -132,6 +132,18 @@ public:
       counts.merged_distance = relative(m_merged.largest_distance);
       return counts;
     }
+    return in_numbers_of_file(report);
+  }
+
+  /// Of a mesh that was accepted: how it would have been refused if it may not be open; a success if it is closed.
+  Mesh_reading_report boundary_report() const { return in_numbers_of_file(m_boundary_report); }
+
+  /// The largest distance between ends of sides that were made one edge, relative to the longest side of the bounding box.
+  double closing_distance() const { return relative(m_merged.closing_distance); }
+
+private:
+  Mesh_reading_report in_numbers_of_file(Mesh_reading_report report) const
+  {
     if (report.vertex != Mesh_reading_report::none)
       report.vertex = m_soup.number_of_point(report.vertex);
     if (report.other_vertex != Mesh_reading_report::none)
@@ -143,10 +155,14 @@ public:
     return report;
   }
 
-  /// The largest distance between ends of sides that were made one edge, relative to the longest side of the bounding box.
-  double closing_distance() const { return relative(m_merged.closing_distance); }
+  Mesh_reading_report check()
+  {
+    Polygon_soup_checker checker(m_soup, m_options.is_boundary_admitted, m_progress);
+    const Mesh_reading_report report = checker.check();
+    m_boundary_report = checker.boundary_report();
+    return report;
+  }
 
-private:
   Mesh_reading_report prepare(Mesh_repairs& repairs)
   {
     Mesh_reading_report report;
@@ -158,13 +174,13 @@ private:
       return interrupted_reading();
     merge(repairs);
     m_progress.progress(0.6);
-    report = Polygon_soup_checker(m_soup, m_options.is_boundary_admitted, m_progress).check();
+    report = check();
     if (!report.success())
       return report;
     m_triangles = triangulate_polygon_soup(m_soup);
     m_progress.progress(0.9);
     if (m_progress.go_on() && m_options.is_repaired && remove_degenerate_triangles(m_soup, m_triangles, repairs))
-      report = Polygon_soup_checker(m_soup, m_options.is_boundary_admitted, m_progress).check();
+      report = check();
     return report.success() ? check_triangle_geometry(m_soup, m_triangles, m_progress) : report;
   }
 
@@ -187,6 +203,7 @@ private:
   Triangle_soup& m_triangles;
   Progress& m_progress;
   double m_longest_side = 0;
+  Mesh_reading_report m_boundary_report;
   Merged_boundaries m_merged;
 };
 
@@ -255,17 +272,21 @@ inline Mesh_reading_report read_triangle_soup(const std::string& filename, const
   if (!report.success())
     return report;
   progress.progress(0.4);
-  report = Soup_triangulation(options, soup, triangles, progress).compute();
+  Soup_triangulation triangulation(options, soup, triangles, progress);
+  report = triangulation.compute();
   progress.progress(1);
   if (!progress.go_on())
     return interrupted_reading();
   Mesh_reading_options checked = options;
   if (report.success()) {
+    const Mesh_reading_report refusal = triangulation.boundary_report();
+    if (refusal.success())
+      return report;
     count_boundary(soup, report);
-    if (report.number_of_boundary_edges == 0 || options.are_cracks_admitted || !has_only_cracks(soup))
+    if (options.are_cracks_admitted || !has_only_cracks(soup))
       return report;
     checked.is_boundary_admitted = false;
-    report = Soup_triangulation(checked, soup, triangles, progress).compute();
+    report = refusal;
   }
   if (report.status == Mesh_reading_status::BOUNDARY)
     count_boundary(soup, report);
