@@ -125,6 +125,22 @@ inline Mesh annulus(const double outer, const int n, const int m)
   return mesh;
 }
 
+/// Opens an edge: it becomes two edges with the same ends, and a curve of the border between them.
+inline void open_edge(const Mesh::Halfedge_index h, Mesh& mesh)
+{
+  const Mesh::Halfedge_index inner = mesh.opposite(h), added = mesh.add_edge(mesh.source(h), mesh.target(h));
+  const Mesh::Halfedge_index of_face = mesh.opposite(added);
+  mesh.set_face(of_face, mesh.face(inner));
+  mesh.set_halfedge(mesh.face(inner), of_face);
+  mesh.set_next(mesh.prev(inner), of_face);
+  mesh.set_next(of_face, mesh.next(inner));
+  for (const Mesh::Halfedge_index border : {inner, added}) {
+    mesh.set_face(border, Mesh::null_face());
+    mesh.set_halfedge(mesh.target(border), border);
+    mesh.set_next(border, border == inner ? added : inner);
+  }
+}
+
 } // namespace open_meshes
 
 #endif // T_SPLINES_TEST_OPEN_MESHES_H

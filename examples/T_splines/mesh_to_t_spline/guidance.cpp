@@ -45,9 +45,18 @@ Failure find_corners(const Options& options, const Mesh& mesh, Border_corners& c
 }
 
 /// Why the last stage of guidance failed.
-Failure failure_of(const std::string& source, const Approximation& approximation, const bool is_file)
+/// \param source what the stage was about, unless it is the corners that are refused
+Failure failure_of(const Options& options, const std::string& source, const Approximation& approximation)
 {
-  return {source + ": " + approximation.report().reason, is_file};
+  using Status = CGAL::T_splines::T_spline_approximation_status;
+  const auto& report = approximation.report();
+  const bool is_about_signature = report.status == Status::INVALID_SIGNATURE;
+  const bool is_about_corners =
+      is_about_signature && !options.corners.empty() &&
+      (report.signature.is_corner ||
+       report.signature.status == CGAL::T_splines::Holonomy_signature_status::CORNERS_NOT_MET);
+  return {(is_about_corners ? options.corners : source) + ": " + report.reason,
+          is_about_signature || report.status == Status::INVALID_MESH};
 }
 
 /// Merges cones as the options say.
@@ -68,7 +77,7 @@ Failure reduce_cones(const Options& options, Chosen_spd_solver_traits& solver, P
                 std::to_string(report.number_of_cones),
             true};
   if (!is_reduced)
-    return failure_of(options.mesh + ": cone reduction", approximation, false);
+    return failure_of(options, options.mesh + ": cone reduction", approximation);
   Figures::Cone_reduction& reduction = figures.reduction.emplace();
   reduction.cones_before = report.number_of_cones_before;
   reduction.cones = report.number_of_cones;
@@ -88,7 +97,7 @@ Failure signature_of_computed_field(const Options& options, const Border_corners
   const auto np =
       CGAL::T_splines::parameters::curvature_alignment(options.curvature_alignment).visitor(Progress_handle(progress));
   if (!approximation.compute_cross_field(corners.added_to(np)))
-    return failure_of(options.mesh + ": cross field", approximation, !options.corners.empty());
+    return failure_of(options, options.mesh + ": cross field", approximation);
   return options.are_cones_reduced ? reduce_cones(options, solver, progress, approximation, figures) : Failure();
 }
 
@@ -98,10 +107,11 @@ bool ends_with(const std::string& text, const std::string& end)
 }
 
 /// Reads a field file and takes the signature.
-Failure signature_of_field_file(const std::string& filename, const Border_corners& corners, Mesh& mesh,
-                                Progress& progress, Approximation& approximation)
+Failure signature_of_field_file(const Options& options, const Border_corners& corners, Mesh& mesh, Progress& progress,
+                                Approximation& approximation)
 {
   namespace T = CGAL::T_splines;
+  const std::string& filename = options.field;
   const auto field = mesh.add_property_map<Face, Kernel::Vector_3>("f:cross").first;
   const auto matching = mesh.add_property_map<Halfedge, int>("h:matching", 0).first;
   const auto np = T::parameters::halfedge_matching_map(matching).visitor(Progress_handle(progress));
@@ -109,7 +119,7 @@ Failure signature_of_field_file(const std::string& filename, const Border_corner
   if (!report.success())
     return {filename + ": " + describe(report), true};
   return approximation.use_cross_field(field, corners.added_to(np)) ? Failure()
-                                                                    : failure_of(filename, approximation, true);
+                                                                    : failure_of(options, filename, approximation);
 }
 
 /// Reads a cone file, by the parser of its name, and completes the signature.
@@ -135,7 +145,7 @@ Failure signature_of_cone_file(const Options& options, const Border_corners& cor
     return {};
   const bool is_about_loops =
       approximation.report().signature.status == T::Holonomy_signature_status::WRONG_NUMBER_OF_TURNS;
-  return failure_of(is_about_loops ? "--loops" : filename, approximation, true);
+  return failure_of(options, is_about_loops ? "--loops" : filename, approximation);
 }
 
 } // namespace
@@ -150,7 +160,7 @@ Failure find_signature(const Options& options, Mesh& mesh, Chosen_spd_solver_tra
   if (!options.cones.empty())
     progress.begin_stage("signature");
   if (!options.field.empty()) {
-    result = signature_of_field_file(options.field, corners, mesh, progress, approximation);
+    result = signature_of_field_file(options, corners, mesh, progress, approximation);
     figures.source = "cross field " + std::filesystem::path(options.field).filename().string();
   }
   else if (!options.cones.empty()) {

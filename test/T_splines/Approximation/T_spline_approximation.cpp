@@ -183,6 +183,13 @@ TEST_CASE("each stage that fails says which it is, and why")
     CHECK_FALSE(approximation.use_cones(cones));
     check_failure(approximation, Status::INVALID_SIGNATURE, "is 7 instead of 8");
   }
+  SECTION("corners")
+  {
+    const std::vector<Approximation::Signature::Corner> inside(1, {*vertices(mesh).begin(), 1});
+    CHECK_FALSE(approximation.compute_cross_field(P::corners(std::optional(inside))));
+    check_failure(approximation, Status::INVALID_SIGNATURE, "a corner is not on the border");
+    CHECK(approximation.report().signature.status == CGAL::T_splines::Holonomy_signature_status::CORNER_INSIDE);
+  }
   SECTION("number of cones")
   {
     REQUIRE(approximation.compute_cross_field());

@@ -28,7 +28,9 @@ TEST_CASE("a refusal of a signature names the element, counted from 0, and the n
   };
   const auto none = CGAL::parameters::default_values();
   const Mesh::Vertex_index v(7);
-  CHECK(refusal({{v, 3}}, none).find(": the sum over component 0 is 1 instead of 0 (off by 1)") != std::string::npos);
+  CHECK(refusal({{v, 3}}, none)
+            .find(": the sum over component 0 is 1 instead of 0 (off by 1); raise its numbers k by 1 in all") !=
+        std::string::npos);
   CHECK(refusal({{v, 3}, {v, 5}}, none) ==
         "a vertex is given as a cone, or as a corner, twice: vertex 7, counted from 0");
   CHECK(refusal({{v, -2}}, none).find(": vertex 7, counted from 0, has k = -2") != std::string::npos);

@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Random.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <catch2/catch.hpp>
 
@@ -244,8 +245,40 @@ TEST_CASE("corners that cannot be are refused by all who take them, with their n
   refused({{corner, 1}, {Mesh::null_vertex(), 1}}, Status::NULL_VERTEX, "no vertex: corner 1, counted from 0");
   refused({{*std::prev(vertices(other).end()), 1}}, Status::FOREIGN_VERTEX, "edited: corner 0, counted from 0");
   refused({{corner, 1}, {corner, 1}}, Status::DUPLICATE_CONE, "twice: vertex 0, counted from 0");
-  refused({{corner, 0}}, Status::NON_POSITIVE_CONE, "vertex 0, counted from 0, has k = 0");
+  refused({{corner, 0}}, Status::NON_POSITIVE_CONE, "vertex 0, counted from 0, has k = 0; it needs at least 1");
   refused({{inner, 1}}, Status::CORNER_INSIDE, "a corner is not on the border; make it a cone");
+}
+
+TEST_CASE("a triangle alone has no signature, two have one, and so has a triangle that is divided", "[border]")
+{
+  const auto refused = [](Mesh& mesh, const Mesh::Face_index triangle) {
+    const auto field = mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:field").first;
+    REQUIRE(T::compute_smooth_cross_field(mesh, field));
+    Signature signature;
+    for (const auto& report : {T::holonomy_signature_of_cross_field(mesh, field, signature),
+                               T::holonomy_signature_of_cones(mesh, std::vector<Signature::Cone>(), signature),
+                               T::check_holonomy_signature(mesh, Signature())}) {
+      CHECK(report.status == Status::SINGLE_TRIANGLE);
+      CHECK(report.face == triangle);
+      CHECK(describe(report, mesh)
+                .find(": face " + std::to_string(triangle.idx()) + ", counted from 0; remove it, or divide it") !=
+            std::string::npos);
+    }
+  };
+  const auto add_triangle = [](Mesh& mesh) {
+    const Vertex a = mesh.add_vertex(Point_3(9, 0, 0)), b = mesh.add_vertex(Point_3(10, 0, 0)),
+                 c = mesh.add_vertex(Point_3(9, 1, 0));
+    return mesh.add_face(a, b, c);
+  };
+  Mesh alone, beside = plate(3, 3);
+  refused(alone, add_triangle(alone));
+  refused(beside, add_triangle(beside));
+
+  Mesh square = plate(1, 1), divided;
+  CGAL::Euler::add_center_vertex(divided.halfedge(add_triangle(divided)), divided);
+  divided.point(*std::prev(vertices(divided).end())) = Point_3(9.3, 0.3, 0);
+  CHECK(Guided(square).corners[1] == 4);
+  CHECK(Guided(divided).signature.cones().size() == 1);
 }
 
 TEST_CASE("a field that does not follow the border is refused, with the edge and the angle", "[border]")

@@ -3,9 +3,12 @@
 
 #include <CGAL/T_splines/Cross_field/check_triangle_mesh.h>
 
+#include "open_meshes.h"
 #include "test_meshes.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/repair.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -100,6 +103,35 @@ TEST_CASE("each defect of a mesh is named with its element")
     const auto report = ts::check_triangle_mesh(bow, ts::parameters::border_is_allowed(true));
     CHECK(report.status == Status::NON_MANIFOLD_VERTEX);
     CHECK(report.vertex == center);
+  }
+  SECTION("a border that touches itself, and one that touches another")
+  {
+    for (const bool is_at_border : {false, true}) {
+      const auto is_in = [&](const int i, const int j) {
+        return !(i == 2 && j == 2) && !(is_at_border ? i == 3 && j > 2 : i == 3 && j == 3);
+      };
+      Mesh touching = open_meshes::grid(6, 6, is_in, [](const int i, const int j) { return test::Point_3(i, j, 0); });
+      const auto report = ts::check_triangle_mesh(touching);
+      REQUIRE(report.status == Status::NON_MANIFOLD_VERTEX);
+      CHECK(touching.point(report.vertex) == test::Point_3(3, 3, 0));
+      CHECK(describe(report, touching).find("duplicate_non_manifold_vertices()") != std::string::npos);
+      CHECK(CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices(touching) == 1); // as is said
+      CHECK(ts::check_triangle_mesh(touching).success());
+    }
+  }
+  SECTION("a curve of the border with two edges")
+  {
+    const auto h = halfedge(v, mesh);
+    open_meshes::open_edge(h, mesh);
+    REQUIRE(mesh.is_valid());
+    const auto report = ts::check_triangle_mesh(mesh);
+    REQUIRE(report.status == Status::BORDER_OF_TWO_EDGES);
+    CHECK(mesh.is_border(report.halfedge));
+    CHECK(mesh.is_border(mesh.next(report.halfedge)));
+    CHECK(ts::check_triangle_mesh(mesh, ts::parameters::border_is_allowed(false)).status == Status::BORDER);
+    CHECK(describe(report, mesh).find("stitch_borders()") != std::string::npos);
+    CHECK(CGAL::Polygon_mesh_processing::stitch_borders(mesh) == 1);
+    CHECK(ts::check_triangle_mesh(mesh).success());
   }
 }
 

@@ -47,9 +47,11 @@ TEST_CASE("a refusal of a field file says the line, the element and the numbers"
 {
   CHECK(refusal_of_cones("3 5\n30 3\n") ==
         "line 2: an index is out of range: the mesh has no such vertex (vertex 30, counted from 0, of 30)");
-  CHECK(refusal_of_cones("3 5\n3 3\n") == "line 2: a vertex is listed as a cone twice (vertex 3, counted from 0)");
-  CHECK(refusal_of_cones("4 0\n") ==
-        "line 1: a cone has fewer than one quarter turn (vertex 4, counted from 0, has k = 0)");
+  CHECK(refusal_of_cones("3 5\n3 3\n") == "line 2: a vertex is listed twice (vertex 3, counted from 0); list it once");
+  CHECK(
+      refusal_of_cones("4 0\n") ==
+      "line 1: a vertex has fewer than one quarter turn (vertex 4, counted from 0, has k = 0); give it at least 1, or "
+      "leave it out");
   CHECK(refusal_of_cones("4 three\n").find(": \"three\"") != std::string::npos);
   CHECK(refusal_of_field("4 59\n").find("another number of elements (59 instead of 60)") != std::string::npos);
   CHECK(refusal_of_field("2 60\n").find("four directions per face (2 instead of 4)") != std::string::npos);

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -108,6 +109,8 @@ TEST_CASE("corners that cannot be are refused, with the file and the vertex")
   const auto refusal = [&](const std::string& text) {
     const Map_run run(plate(8, 5), ".off", "--corners '" + written(directory, text) + "'");
     CHECK(run.run.exit_code == 2);
+    CHECK(contains(run.run.errors, "corners.bcones: "));
+    CHECK_FALSE(std::filesystem::exists(run.output));
     return run.run.errors;
   };
   CHECK(contains(refusal("0 1\n20 1\n"), "a corner is not on the border; make it a cone: vertex 20, counted from 0"));
@@ -120,6 +123,58 @@ TEST_CASE("corners that cannot be are refused, with the file and the vertex")
   CHECK(contains(failing_run("x.off --corners a.bcones --corner-angle 30").errors, "--corners and --corner-angle"));
   CHECK(contains(failing_run("x.off --no-corners --corner-angle 30").errors, "--corner-angle and --no-corners"));
   CHECK(contains(failing_run("x.off --corner-angle 0").errors, "--corner-angle"));
+}
+
+TEST_CASE("corners that fit the border but not the given cones are refused, with what would fit")
+{
+  const Temporary_directory directory;
+  const std::string cones = directory.file("none.cones");
+  std::ofstream(cones) << "";
+  const auto run = [&](const std::string& text) {
+    return Map_run(plate(8, 5), ".off", "--cones '" + cones + "' --corners '" + written(directory, text) + "'").run;
+  };
+  CHECK(run("0 1\n8 1\n53 1\n45 1\n").exit_code == 0);
+  const Program_run too_few = run("0 1\n8 1\n53 1\n"), inside = run("0 1\n20 1\n");
+  CHECK(too_few.exit_code == 2);
+  CHECK(contains(too_few.errors, "is 3 instead of 4 (off by -1); lower its numbers k by 1 in all"));
+  CHECK(inside.exit_code == 2);
+  CHECK(contains(inside.errors, "corners.bcones: a corner is not on the border; make it a cone: vertex 20"));
+}
+
+TEST_CASE("a border that touches itself is refused, and repaired when asked for, which is said")
+{
+  Soup soup = plate(8, 5); // without two squares that meet in vertex 30
+  soup.faces.erase(soup.faces.begin() + 3 * 8 + 3);
+  soup.faces.erase(soup.faces.begin() + 2 * 8 + 2);
+  const Map_run refused(soup, ".off", "");
+  CHECK(refused.run.exit_code == 2);
+  CHECK(contains(refused.run.errors, "a vertex is not manifold: its faces form more than one fan (vertex 30, "));
+  CHECK(contains(refused.run.errors, "--repair mends it"));
+  CHECK_FALSE(std::filesystem::exists(refused.output));
+  const Map_run repaired(soup, ".off", "--repair");
+  CAPTURE(repaired.run.errors);
+  CHECK(repaired.run.exit_code == 0);
+  CHECK(contains(repaired.run.errors, "1 vertex split off"));
+  CHECK(contains(repaired.run.output, "a border of 2 curves")); // the two holes have become one
+}
+
+TEST_CASE("a triangle alone is bad input")
+{
+  Soup triangle;
+  triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangle.faces = {{0, 1, 2}};
+  Soup beside = plate(4, 4);
+  beside.points.insert(beside.points.end(), {{9, 0, 0}, {10, 0, 0}, {9, 1, 0}});
+  beside.faces.push_back({25, 26, 27});
+  for (const Soup& soup : {triangle, beside})
+    for (const std::string options : {"", "--no-corners"}) {
+      const Map_run run(soup, ".off", options);
+      CAPTURE(run.run.errors);
+      CHECK(run.run.exit_code == 2);
+      CHECK(contains(run.run.errors, "a component is a single triangle"));
+      CHECK(contains(run.run.errors, "face " + std::to_string(soup.faces.size() == 1 ? 0 : 32) + ", counted from 0"));
+      CHECK_FALSE(std::filesystem::exists(run.output));
+    }
 }
 
 TEST_CASE("a surface whose border turns inwards")

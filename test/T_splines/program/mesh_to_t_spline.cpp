@@ -191,7 +191,7 @@ TEST_CASE("every bad cone or field file is refused with its name, exit code 2, a
 {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"gauss_bonnet.cones", "is 2 instead of 8 (off by -6)"},
-      {"duplicate.cones", "line 3: a vertex is listed as a cone twice (vertex 0"},
+      {"duplicate.cones", "line 3: a vertex is listed twice (vertex 0"},
       {"out_of_range.cones", "line 2: an index is out of range: the mesh has no such vertex (vertex 4"},
       {"negative_index.cones", "line 2: an index is out of range: the mesh has no such vertex (vertex -1"},
       {"zero.cones", "vertex 0, counted from 0, has k = 0"},

@@ -155,7 +155,9 @@ public:
     const auto matchings = get(CGAL::dynamic_halfedge_property_t<int>(), m_mesh);
     m_report.cross_field = compute_smooth_cross_field(m_mesh, m_cross_field,
                                                       parameters::halfedge_matching_map(matchings, with_points(np)));
-    return ended(m_report.cross_field, m_report.cross_field.mesh, Status::INVALID_MESH) &&
+    if (m_report.cross_field.status == Smooth_cross_field_status::INVALID_CORNERS)
+      m_report.signature = m_report.cross_field.corners;
+    return ended(m_report.cross_field, m_report.cross_field.mesh, Status::INVALID_SIGNATURE) &&
            use_cross_field(m_cross_field, parameters::halfedge_matching_map(matchings, np));
   }
 

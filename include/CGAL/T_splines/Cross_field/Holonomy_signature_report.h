@@ -9,7 +9,9 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <string>
 
 namespace CGAL {
@@ -27,6 +29,7 @@ enum class Holonomy_signature_status {
   CORNER_INSIDE,         ///< `vertex`, of corner number `index`, is not on the border: it can be a cone
   DUPLICATE_CONE,        ///< `vertex` is given twice; cone or corner number `index` repeats it
   NON_POSITIVE_CONE,     ///< `vertex` has the number `actual` < 1 of quarter turns
+  SINGLE_TRIANGLE,       ///< `component` is the triangle `face` alone: no signature is admissible on it
   GAUSS_BONNET_VIOLATED, ///< the sum of 4 - k_v and 2 - k_b over the vertices of `component` is `actual` instead of
                          ///< `expected`
   WRONG_NUMBER_OF_LOOPS, ///< `component` has `actual` loops instead of `expected`
@@ -63,6 +66,8 @@ inline const char* message(const Holonomy_signature_status status)
            "mesh was edited";
   case Holonomy_signature_status::DUPLICATE_CONE: return "a vertex is given as a cone, or as a corner, twice";
   case Holonomy_signature_status::NON_POSITIVE_CONE: return "a vertex has fewer than one quarter turn";
+  case Holonomy_signature_status::SINGLE_TRIANGLE:
+    return "a component is a single triangle: a border turns by four quarters, which three corners cannot";
   case Holonomy_signature_status::GAUSS_BONNET_VIOLATED:
     return "the cones and corners of a component violate the Gauss-Bonnet theorem: 4 - k of its cones and 2 - k of its "
            "corners must sum up to four times the Euler characteristic";
@@ -105,7 +110,7 @@ struct Holonomy_signature_report {
   Holonomy_signature_status status = Holonomy_signature_status::VALID; ///< what is wrong
   Triangle_mesh_report<TriangleMesh> mesh;                             ///< the check of the mesh
   typename Traits::vertex_descriptor vertex = Traits::null_vertex();   ///< a cone, or where the field does not close up
-  /// Of GAUSS_BONNET_VIOLATED and of wrong numbers of, or dependent, loops and arcs: the first face of the component.
+  /// Of SINGLE_TRIANGLE, GAUSS_BONNET_VIOLATED and of wrong numbers of, or dependent, loops and arcs: the first face of the component.
   typename Traits::face_descriptor face = Traits::null_face();
   typename Traits::halfedge_descriptor halfedge = Traits::null_halfedge(); ///< of an edge on the border
   std::size_t index = 0;                                                   ///< of a cone, corner, loop or arc
@@ -146,8 +151,11 @@ std::string describe(const Holonomy_signature_report<TriangleMesh>& report, cons
   case Status::DUPLICATE_CONE:
   case Status::VERTEX_NOT_INTEGER: text += ": " + internal::vertex_in_words(report.vertex, mesh) + counted; break;
   case Status::NON_POSITIVE_CONE:
-    text +=
-        ": " + internal::vertex_in_words(report.vertex, mesh) + counted + ", has k = " + std::to_string(report.actual);
+    text += ": " + internal::vertex_in_words(report.vertex, mesh) + counted +
+            ", has k = " + std::to_string(report.actual) + "; it needs at least 1";
+    break;
+  case Status::SINGLE_TRIANGLE:
+    text += ": " + internal::face_in_words(report.face, mesh) + counted + "; remove it, or divide it";
     break;
   case Status::CORNERS_NOT_MET:
     text += ": " + internal::vertex_in_words(report.vertex, mesh) + counted +
@@ -155,7 +163,9 @@ std::string describe(const Holonomy_signature_report<TriangleMesh>& report, cons
     break;
   case Status::GAUSS_BONNET_VIOLATED:
     text += ": the sum over component " + std::to_string(report.component) + numbers + " (off by " +
-            std::to_string(report.actual - report.expected) + ")";
+            std::to_string(report.actual - report.expected) + "); " +
+            (report.actual > report.expected ? "raise" : "lower") + " its numbers k by " +
+            std::to_string(std::abs(report.actual - report.expected)) + " in all";
     break;
   case Status::WRONG_NUMBER_OF_ARCS:
   case Status::WRONG_NUMBER_OF_LOOPS:

@@ -232,7 +232,7 @@ Holonomy_signature_report<TriangleMesh> holonomy_signature_report(const Triangle
 /// \cgalNamedParamsEnd
 ///
 /// \return the status INVALID_MESH, NULL_VERTEX, FOREIGN_VERTEX, FOREIGN_LOOP, FOREIGN_ARC, CONE_ON_BORDER, CORNER_INSIDE,
-///         NON_POSITIVE_CONE, GAUSS_BONNET_VIOLATED, INVALID_ARC, WRONG_NUMBER_OF_ARCS, DEPENDENT_ARCS, INVALID_LOOP,
+///         NON_POSITIVE_CONE, SINGLE_TRIANGLE, GAUSS_BONNET_VIOLATED, INVALID_ARC, WRONG_NUMBER_OF_ARCS, DEPENDENT_ARCS, INVALID_LOOP,
 ///         WRONG_NUMBER_OF_LOOPS, DEPENDENT_LOOPS, INTERRUPTED or VALID.
 /// Complexity: O(n log n) in the number of faces, and O(g^3) per component.
 template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -33,7 +33,8 @@ enum class Triangle_mesh_status {
   NON_FINITE_POINT,    ///< a coordinate of `vertex` is infinite or not a number
   BORDER,              ///< `halfedge` has no face
   ISOLATED_VERTEX,     ///< `vertex` has no edge
-  NON_MANIFOLD_VERTEX, ///< the faces at `vertex` form more than one fan
+  NON_MANIFOLD_VERTEX, ///< the faces at `vertex` form more than one fan, as where a border touches itself
+  BORDER_OF_TWO_EDGES, ///< the border has a closed curve of two edges, `halfedge` and the next one, that coincide
   ZERO_LENGTH_EDGE,    ///< the two ends of `halfedge` coincide
   ZERO_AREA_FACE,      ///< the corners of `face` are collinear, exactly
   INTERRUPTED          ///< the visitor asked to stop
@@ -51,6 +52,8 @@ inline const char* message(const Triangle_mesh_status status)
   case Triangle_mesh_status::BORDER: return "the mesh has a border";
   case Triangle_mesh_status::ISOLATED_VERTEX: return "a vertex has no edge";
   case Triangle_mesh_status::NON_MANIFOLD_VERTEX: return "the faces at a vertex form more than one fan";
+  case Triangle_mesh_status::BORDER_OF_TWO_EDGES:
+    return "a closed curve of the border has two edges only, which coincide";
   case Triangle_mesh_status::ZERO_LENGTH_EDGE: return "an edge has length zero";
   case Triangle_mesh_status::ZERO_AREA_FACE: return "a face has area zero";
   case Triangle_mesh_status::INTERRUPTED: return "interrupted by the visitor";
@@ -101,7 +104,13 @@ std::string describe(const Triangle_mesh_report<TriangleMesh>& report, const Tri
     text += ": " + internal::vertex_in_words(report.vertex, mesh) + ", counted from 0; remove it";
     break;
   case Status::NON_MANIFOLD_VERTEX:
-    text += ": " + internal::vertex_in_words(report.vertex, mesh) + ", counted from 0; make it one vertex for each fan";
+    text += ": " + internal::vertex_in_words(report.vertex, mesh) +
+            ", counted from 0; make it one vertex for each fan " +
+            "(CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices())";
+    break;
+  case Status::BORDER_OF_TWO_EDGES:
+    text += ": " + internal::edge_in_words(report.halfedge, mesh) +
+            ", counted from 0; make them one edge (CGAL::Polygon_mesh_processing::stitch_borders())";
     break;
   case Status::ZERO_LENGTH_EDGE:
     text += ": " + internal::edge_in_words(report.halfedge, mesh) + ", counted from 0; collapse it";
@@ -176,6 +185,10 @@ Triangle_mesh_report<TriangleMesh> check_mesh_connectivity(const TriangleMesh& m
     if (!is_border_allowed) {
       report.halfedge = h;
       return fail(Triangle_mesh_status::BORDER);
+    }
+    if (next(next(h, mesh), mesh) == h) {
+      report.halfedge = h;
+      return fail(Triangle_mesh_status::BORDER_OF_TWO_EDGES);
     }
   }
   for (const typename Traits::vertex_descriptor v : vertices(mesh)) {

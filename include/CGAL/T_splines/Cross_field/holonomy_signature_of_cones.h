@@ -130,7 +130,7 @@ void add_loops(const Signature_domain<TriangleMesh>& mesh, const NamedParameters
 /// \cgalNamedParamsEnd
 ///
 /// \return the status INVALID_MESH, NULL_VERTEX, FOREIGN_VERTEX, DUPLICATE_CONE, NON_POSITIVE_CONE, CONE_ON_BORDER,
-///         CORNER_INSIDE, GAUSS_BONNET_VIOLATED, WRONG_NUMBER_OF_TURNS, INTERRUPTED or VALID.
+///         CORNER_INSIDE, SINGLE_TRIANGLE, GAUSS_BONNET_VIOLATED, WRONG_NUMBER_OF_TURNS, INTERRUPTED or VALID.
 /// Complexity: O(n log n) in the number of faces.
 template <typename TriangleMesh, typename ConeRange,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -193,7 +193,7 @@ void check_corners_are_met(const Signature_domain<TriangleMesh>& domain, const B
 /// \cgalNamedParamsEnd
 ///
 /// \return the status INVALID_MESH, INVALID_FIELD, FIELD_NOT_ALIGNED (it is off the direction of the border by more than 30
-///         degrees), VERTEX_NOT_INTEGER, LOOP_NOT_INTEGER, ARC_NOT_INTEGER, NON_POSITIVE_CONE (a field that turns
+///         degrees), VERTEX_NOT_INTEGER, LOOP_NOT_INTEGER, ARC_NOT_INTEGER, SINGLE_TRIANGLE, NON_POSITIVE_CONE (a field that turns
 ///         by a full turn or more at a vertex), GAUSS_BONNET_VIOLATED (impossible without given matchings), INTERRUPTED
 ///         or VALID.
 /// Complexity: O(n log n) in the number of faces.

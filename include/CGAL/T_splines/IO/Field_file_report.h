@@ -59,8 +59,8 @@ inline const char* message(const Field_file_status status)
   case Field_file_status::NOT_TANGENT: return "a vector is not tangent to its face";
   case Field_file_status::NOT_A_CROSS: return "the vectors of a face do not determine a cross";
   case Field_file_status::INDEX_OUT_OF_RANGE: return "an index is out of range: the mesh has no such vertex";
-  case Field_file_status::DUPLICATE_CONE: return "a vertex is listed as a cone twice";
-  case Field_file_status::NON_POSITIVE_CONE: return "a cone has fewer than one quarter turn";
+  case Field_file_status::DUPLICATE_CONE: return "a vertex is listed twice";
+  case Field_file_status::NON_POSITIVE_CONE: return "a vertex has fewer than one quarter turn";
   case Field_file_status::NOT_A_QUARTER_TURN: return "the angle of a cone is not a multiple of a quarter turn";
   case Field_file_status::MISSING_SECTION: return "the file lacks a section";
   case Field_file_status::WRONG_FACE: return "a face has other vertices in the file than in the mesh";
@@ -114,10 +114,11 @@ inline std::string describe(const Field_file_report& report)
     text +=
         " (vertex " + std::to_string(report.actual) + ", counted from 0, of " + std::to_string(report.expected) + ")";
     break;
-  case Status::DUPLICATE_CONE:
+  case Status::DUPLICATE_CONE: text += element("vertex ") + "); list it once"; break;
   case Status::NOT_A_QUARTER_TURN: text += element("vertex ") + ")"; break;
   case Status::NON_POSITIVE_CONE:
-    text += element("vertex ") + ", has k = " + std::to_string(report.actual) + ")";
+    text +=
+        element("vertex ") + ", has k = " + std::to_string(report.actual) + "); give it at least 1, or leave it out";
     break;
   case Status::ZERO_VECTOR:
   case Status::NOT_TANGENT:

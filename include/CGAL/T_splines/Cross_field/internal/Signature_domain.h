@@ -14,6 +14,7 @@
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
+#include <CGAL/T_splines/internal/halfedge_indices.h>
 #include <CGAL/T_splines/internal/mesh_components.h>
 #include <CGAL/T_splines/internal/tolerances.h>
 #include <CGAL/T_splines/named_parameters.h>
@@ -85,14 +86,30 @@ struct Signature_domain {
     report.face = m_indexing.face(m_components.first_face[c]);
   }
 
-  /// checks that cones are inner vertices and corners on the border, that their numbers of quarter turns are positive, and
-  /// that these satisfy the theorem of Gauss and Bonnet in each component.
+  /// looks for a component that is a single triangle.
+  void check_components(Holonomy_signature_report<TriangleMesh>& report) const
+  {
+    const auto is_on_border = [this](const int h) {
+      return m_connectivity.face(opposite(h)) == Triangulation_connectivity::null;
+    };
+    for (int c = 0; c < m_components.size() && report.success(); ++c) {
+      const int h = m_connectivity.halfedge_of_face(m_components.first_face[c]);
+      if (!is_on_border(h) || !is_on_border(m_connectivity.next(h)) || !is_on_border(m_connectivity.previous(h)))
+        continue;
+      report.status = Holonomy_signature_status::SINGLE_TRIANGLE;
+      name_component(c, report);
+    }
+  }
+
+  /// checks that no component is a single triangle, that cones are inner vertices and corners on the border, that their
+  /// numbers of quarter turns are positive, and that these satisfy the theorem of Gauss and Bonnet in each component.
   void check_cones(const Holonomy_signature<TriangleMesh>& signature,
                    Holonomy_signature_report<TriangleMesh>& report) const
   {
     using Signature = Holonomy_signature<TriangleMesh>;
     const std::vector<int> curve = curves_of_vertices(m_connectivity, border_curves(m_connectivity));
     std::vector<int> sum(m_components.size(), 0);
+    check_components(report);
     const auto add = [&](const auto& numbers, const int regular, const bool is_corner) {
       for (std::size_t i = 0; i < numbers.size() && report.success(); ++i) {
         const auto& [vertex, k] = numbers[i];
