@@ -19,6 +19,7 @@
 #include "mesh_to_t_spline/t_mesh_stage.h"
 #include "mesh_to_t_spline/t_spline_stage.h"
 
+#include <CGAL/T_splines/IO/fill_holes.h>
 #include <CGAL/T_splines/IO/read_map_obj.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
 #include <CGAL/T_splines/named_parameters.h>
@@ -33,6 +34,7 @@
 #include <iostream>
 #include <iterator>
 #include <new>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -109,10 +111,38 @@ private:
     m_progress.end_stage();
     if (!report.success())
       return fail(exit_bad_input, m_options.input_file() + ": " + describe(report) + "; " + advice(report));
+    say(note(report));
+    std::optional<Figures::Hole_filling> holes;
+    if (m_options.largest_hole && !fill_holes(holes.emplace()))
+      return false;
     m_results.approximation.emplace(m_results.input);
+    if (m_results.is_data)
+      m_results.approximation->set_data(*m_results.is_data);
     m_figures.input = input_figures(m_results.input, m_options.input_file(), report);
-    if (!m_figures.input.note.empty() && !m_options.is_quiet)
-      std::cerr << m_options.input_file() << ": note: " << m_figures.input.note << "\n";
+    m_figures.input.holes = holes;
+    return true;
+  }
+
+  void say(const std::string& note)
+  {
+    if (!note.empty() && !m_options.is_quiet)
+      std::cerr << m_options.input_file() << ": note: " << note << "\n";
+  }
+
+  bool fill_holes(Figures::Hole_filling& figures)
+  {
+    m_results.is_data = m_results.input.add_property_map<Face, bool>("f:is_data").first;
+    const auto np = CGAL::T_splines::parameters::face_is_data_map(*m_results.is_data);
+    const auto report =
+        CGAL::T_splines::fill_holes(m_results.input, *m_options.largest_hole, np.visitor(Progress_handle(m_progress)));
+    m_progress.end_stage();
+    if (!goes_on(report.success() ? Failure()
+                                  : Failure{m_options.mesh + ": " + describe(report, m_results.input), true}))
+      return false;
+    say(describe(report, m_results.input));
+    m_results.input.collect_garbage(); // of holes that could not be filled
+    figures = {report.number_of_filled_holes, report.number_of_faces, report.number_of_larger_holes,
+               report.number_of_failed_holes};
     return true;
   }
 

@@ -26,6 +26,7 @@
 #include <CGAL/T_splines/IO/Mesh_reading_report.h>
 #include <CGAL/T_splines/IO/T_mesh_reading_report.h>
 #include <CGAL/T_splines/IO/base64.h>
+#include <CGAL/T_splines/IO/fill_holes.h>
 #include <CGAL/T_splines/IO/read_cone_angles.h>
 #include <CGAL/T_splines/IO/read_cones.h>
 #include <CGAL/T_splines/IO/read_cross_field.h>

@@ -22,6 +22,7 @@ These are the stages. What a function calls in its turn is a part of its own sta
 | function | stages |
 |---|---|
 | `read_triangle_mesh()`, `read_map_obj()`, `read_t_mesh()`, `read_cross_field()`, `read_rawfield()`, `read_rosy()`, `read_crossfield()`, `read_ffield()` | "reading" |
+| `fill_holes()` | "hole filling" |
 | `check_triangle_mesh()` | "mesh check" |
 | `compute_smooth_cross_field()` | "cross field" |
 | `holonomy_signature_of_cross_field()`, `holonomy_signature_of_cones()` | "holonomy signature" |

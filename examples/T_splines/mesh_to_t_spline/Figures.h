@@ -35,6 +35,10 @@ struct T_mesh_stage_figures {
 
 /// Every number of a run: what the summary, `report.json` and `report.html` show.
 struct Figures {
+  /// What became of the holes of the input.
+  struct Hole_filling {
+    std::size_t filled = 0, faces = 0, larger = 0, failed = 0;
+  };
   struct Input {
     std::string name, path, note;
     std::size_t merged_vertices = 0;
@@ -43,6 +47,7 @@ struct Figures {
     std::size_t vertices = 0, edges = 0, faces = 0, components = 0,
                 borders = 0; ///< closed curves of the border
     long genus = 0;          ///< of all components together
+    std::optional<Hole_filling> holes;
   };
   /// What was done to the cones of a computed field.
   struct Cone_reduction {
@@ -100,6 +105,12 @@ inline void write_input_members(Json_writer& json, const Figures::Input& input)
   json.end_object();
   json.member("vertices", input.vertices).member("edges", input.edges).member("faces", input.faces);
   json.member("components", input.components).member("borders", input.borders).member("genus", input.genus);
+  if (input.holes) {
+    json.key("holes").begin_object();
+    json.member("filled", input.holes->filled).member("faces", input.holes->faces);
+    json.member("larger", input.holes->larger).member("failed", input.holes->failed);
+    json.end_object();
+  }
 }
 
 inline void write_map_figures(Json_writer& json, const Map_figures& map)

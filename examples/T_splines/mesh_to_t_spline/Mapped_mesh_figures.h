@@ -70,10 +70,14 @@ inline double diagonal_of(const Mesh& mesh)
   return std::hypot(box.x_span(), box.y_span(), box.z_span());
 }
 
-/// The longest side of the bounding box: that of the cube which encloses the mesh.
-inline double longest_side_of(const Mesh& mesh)
+/// The longest side of the bounding box of the input, without what fills holes: that of the cube which encloses it.
+inline double longest_side_of(const Approximation& approximation)
 {
-  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  const Mesh& mesh = approximation.mesh();
+  CGAL::Bbox_3 box;
+  for (const Face f : mesh.faces())
+    if (approximation.is_data(f))
+      box += CGAL::Polygon_mesh_processing::face_bbox(f, mesh);
   return std::max({box.x_span(), box.y_span(), box.z_span()});
 }
 

@@ -52,7 +52,10 @@ inline std::vector<Option_group> option_table()
         {"--no-merge", "vertices are one vertex only if the file says so (STL: if their coordinates are equal)"},
         {"--repair",
          "removes degenerate and duplicate faces, flat triangles and isolated vertices, turns faces that are "
-         "oriented against their neighbours, splits vertices and edges where sheets meet; holes stay"}}},
+         "oriented against their neighbours, splits vertices and edges where sheets meet; holes stay"},
+        {"--fill-holes N",
+         "closes the holes with at most N edges; the surface is neither fitted to what closes them nor "
+         "measured against it. The outer border counts as a hole, too, if it has no more edges"}}},
       {"Guidance (without any, a smooth cross field is computed, and its cones are merged)",
        {{"--field FILE", "a cross field: .rawfield, .crossfield, .rosy or .ffield; its cones are kept"},
         {"--cones FILE", "cones: .cones, one line \"vertex k\" per cone, vertices counted from 0; or .Th_hat, a total "

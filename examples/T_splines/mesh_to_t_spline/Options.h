@@ -52,6 +52,7 @@ struct Options {
   std::string mesh, uv, field, cones, corners, output_directory = ".";
   std::optional<double> merge_distance; ///< none: the default of the library
   bool is_merged = true, is_repaired = false;
+  std::optional<std::size_t> largest_hole; ///< in edges; none: holes stay
   std::optional<std::vector<int>> loops;
   std::optional<double> corner_angle; ///< in degrees; none: the default of the library
   bool has_corners = true;

@@ -53,6 +53,8 @@ private:
       m_error = std::string("--no-merge and ") + (options.is_repaired ? "--repair" : "--merge") + " exclude each other";
     else if (!options.field.empty() && !options.cones.empty())
       m_error = "--field and --cones exclude each other";
+    else if (options.largest_hole && !options.field.empty())
+      m_error = "--fill-holes and --field exclude each other: the field has no crosses where holes are filled";
     else if (options.loops && options.cones.empty())
       m_error = "--loops goes with --cones: a field has turning numbers of its own";
     else if (!options.corners.empty() && (options.corner_angle || !options.has_corners))
@@ -134,6 +136,8 @@ private:
       parse_flag(options.is_merged, false);
     else if (m_name == "--repair")
       parse_flag(options.is_repaired);
+    else if (m_name == "--fill-holes")
+      options.largest_hole = integer<std::size_t>(value(), 1);
     else
       return false;
     m_mesh_option = m_name;

@@ -170,7 +170,7 @@ void add_t_spline(const Options& options, const Results& results, Output_files& 
   const T::Tessellation_resolution resolution =
       options.resolution
           ? T::Tessellation_resolution(*options.resolution)
-          : T::Tessellation_resolution::within(0.25 * options.tolerance * longest_side_of(results.input));
+          : T::Tessellation_resolution::within(0.25 * options.tolerance * longest_side_of(*results.approximation));
   if (options.mesh_format == Mesh_format::PLY)
     files.add("t_spline_mesh.ply",
               [&](std::ostream& out) { T::write_t_spline_ply(out, *results.surface, resolution); });

@@ -201,6 +201,19 @@ inline void print_time(std::ostream& out, const Figures& figures)
   out << "\n";
 }
 
+/// What became of the holes.
+inline void print_holes(std::ostream& out, const Figures::Hole_filling& holes)
+{
+  out << "  holes       " << holes.filled << " filled";
+  if (holes.filled > 0)
+    out << " with " << holes.faces << " faces that are no data";
+  if (holes.larger > 0)
+    out << "; " << holes.larger << (holes.larger == 1 ? " larger one left" : " larger ones left");
+  if (holes.failed > 0)
+    out << "; " << holes.failed << " left because nothing fills " << (holes.failed == 1 ? "it" : "them");
+  out << "\n";
+}
+
 /// What the user reads at the end.
 inline void print_summary(std::ostream& out, const Figures& figures)
 {
@@ -211,6 +224,8 @@ inline void print_summary(std::ostream& out, const Figures& figures)
   if (figures.input.borders > 0)
     out << ", a border of " << figures.input.borders << (figures.input.borders == 1 ? " curve" : " curves");
   out << "\n";
+  if (figures.input.holes)
+    print_holes(out, *figures.input.holes);
   print_signature(out, figures.signature);
   if (figures.map) {
     const Map_figures& map = *figures.map;

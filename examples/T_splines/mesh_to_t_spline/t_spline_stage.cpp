@@ -133,6 +133,24 @@ Surface_drawing drawing_of(const Surface& surface, const T_spline& spline, const
   return drawing;
 }
 
+/// The distances of the drawing from the mesh; none next to what fills holes.
+void draw_deviation(Results& results, const double longest_side)
+{
+  using CGAL::T_splines::Mesh_distance;
+  const auto distances = [&](const Mesh_distance& distance) {
+    std::vector<double> result;
+    distance.distances(results.surface_drawing.points, std::back_inserter(result));
+    return result;
+  };
+  const std::vector<double> to_mesh = distances(Mesh_distance(results.input));
+  std::vector<double> to_data;
+  if (results.is_data)
+    to_data = distances(Mesh_distance(results.input, CGAL::T_splines::parameters::face_is_data_map(*results.is_data)));
+  for (std::size_t i = 0; i < to_mesh.size(); ++i)
+    results.surface_drawing.deviation.push_back(to_data.empty() || to_data[i] <= to_mesh[i] ? to_mesh[i] / longest_side
+                                                                                            : 0);
+}
+
 void set_surface_figures(const Results& results, T_spline_figures& figures)
 {
   figures.t_mesh = figures_of(results.fitted);
@@ -189,8 +207,7 @@ Deviation_figures figures_of(const Fit_report& fit)
 Failure make_t_spline(const Options& options, Chosen_spd_solver_traits& solver, Progress& progress, Results& results,
                       T_spline_figures& figures)
 {
-  const Mesh& mesh = results.input;
-  figures.longest_side = longest_side_of(mesh);
+  figures.longest_side = longest_side_of(*results.approximation);
   Failure failure = fit(options, solver, progress, results, figures);
   if (failure)
     return failure;
@@ -200,11 +217,7 @@ Failure make_t_spline(const Options& options, Chosen_spd_solver_traits& solver, 
   results.surface = CGAL::T_splines::compile_T_spline(surface);
   progress.begin_stage("drawing");
   results.surface_drawing = drawing_of(surface, spline, 400000);
-  const CGAL::T_splines::Mesh_distance distance(mesh);
-  std::vector<double> distances;
-  distance.distances(results.surface_drawing.points, std::back_inserter(distances));
-  for (const double x : distances)
-    results.surface_drawing.deviation.push_back(x / figures.longest_side);
+  draw_deviation(results, figures.longest_side);
   progress.end_stage();
   figures.deviation = figures_of(results.approximation->report().fit);
   set_surface_figures(results, figures);

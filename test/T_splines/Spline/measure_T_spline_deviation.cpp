@@ -377,6 +377,64 @@ TEST_CASE("a bulge between the vertices is found where it is", "[measure_T_splin
   check_against_random_points(report, random_maxima(surface, mesh, 400));
 }
 
+TEST_CASE("what only closes a hole is not measured", "[measure_T_spline_deviation]")
+{
+  Rectangle rectangle(0.3);
+  const Mesh::Surface surface = rectangle.surface();
+  constexpr int m = 10; // triangles per unit of length, and two per square
+  const auto number = [](const int x, const int y) { return Triangles::Vertex_index(y * (4 * m + 1) + x); };
+  const auto is_in_hole = [](const int x, const int y) { return x > m && x < 3 * m && y > m && y < 2 * m; };
+  Triangles mesh;
+  auto is_data = mesh.add_property_map<Triangles::Face_index, bool>("f:is_data", true).first;
+  for (int y = 0; y <= 3 * m; ++y)
+    for (int x = 0; x <= 4 * m; ++x)
+      mesh.add_vertex(Point_3(x / double(m), y / double(m), is_in_hole(x, y) ? -0.15 : 0));
+  for (int y = 0; y < 3 * m; ++y)
+    for (int x = 0; x < 4 * m; ++x)
+      for (const auto f : {mesh.add_face(number(x, y), number(x + 1, y), number(x + 1, y + 1)),
+                           mesh.add_face(number(x, y), number(x + 1, y + 1), number(x, y + 1))})
+        is_data[f] = !(x >= m && x < 3 * m && y >= m && y < 2 * m);
+  std::map<Triangles::Vertex_index, double> distances;
+  std::map<Mesh::face_descriptor, double> deviations;
+  namespace P = CGAL::T_splines::parameters;
+  const auto report = measure_T_spline_deviation(
+      surface, mesh,
+      P::face_is_data_map(is_data,
+                          P::vertex_distance_map(boost::make_assoc_property_map(distances),
+                                                 P::face_deviation_map(boost::make_assoc_property_map(deviations)))));
+  REQUIRE(report.success());
+  CHECK(distances.size() == (4 * m + 1) * (3 * m + 1) - (2 * m - 1) * (m - 1));
+
+  // By brute force, and up to what lies as near to the one as to the other.
+  const CGAL::T_splines::Mesh_distance to_data(mesh, P::face_is_data_map(is_data)), to_all(mesh);
+  double largest = 0, of_all = 0;
+  std::map<Mesh::face_descriptor, double> largest_in_face;
+  for (const auto f : faces(rectangle.mesh))
+    for (int i = 0; i <= 100; ++i)
+      for (int j = 0; j <= 100; ++j) {
+        const Point_3 p = surface.position(f, surface.width(f) * i / 100, surface.height(f) * j / 100);
+        of_all = std::max(of_all, to_all(p));
+        if (to_data(p) <= to_all(p))
+          largest_in_face[f] = std::max(largest_in_face[f], to_all(p));
+      }
+  for (const auto& face : largest_in_face) {
+    largest = std::max(largest, face.second);
+    CHECK(deviations[face.first] < 1.05 * face.second + 1e-3);
+  }
+  CHECK(report.surface_to_mesh.maximum > largest / 1.02);
+  CHECK(report.surface_to_mesh.maximum < 1.02 * largest);
+  CHECK(report.surface_to_mesh.upper_bound < 1.02 * report.surface_to_mesh.maximum);
+  CHECK(is_data[report.surface_to_mesh_place.mesh_face]);
+  CHECK(is_data[report.mesh_to_surface_place.mesh_face]);
+  const auto without_map = measure_T_spline_deviation(surface, mesh);
+  CHECK(without_map.surface_to_mesh.maximum > of_all / 1.02);
+  CHECK(without_map.mesh_to_surface.maximum > report.mesh_to_surface.maximum + 0.1);
+
+  for (const auto f : mesh.faces())
+    is_data[f] = false;
+  CHECK(measure_T_spline_deviation(surface, mesh, P::face_is_data_map(is_data)).status == Status::NO_FACES);
+}
+
 TEST_CASE("folds are found, and their absence is certified", "[measure_T_spline_deviation]")
 {
   Torus t;

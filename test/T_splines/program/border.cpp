@@ -158,6 +158,46 @@ TEST_CASE("a border that touches itself is refused, and repaired when asked for,
   CHECK(contains(repaired.run.output, "a border of 2 curves")); // the two holes have become one
 }
 
+TEST_CASE("small holes are filled when asked for, and counted")
+{
+  Soup soup = plate(8, 5); // with holes of four and eight edges in a border of 26
+  for (const std::size_t face : {3 * 8 + 6, 2 * 8 + 3, 2 * 8 + 2, 1 * 8 + 2})
+    soup.faces.erase(soup.faces.begin() + static_cast<std::ptrdiff_t>(face));
+  const Temporary_directory directory;
+  const std::string mesh = directory.file("plate.off"), output = directory.file("output");
+  soup.write(mesh);
+  const auto run_with = [&](const std::string& options) {
+    return Program_run("'" + mesh + "' " + options + " -o '" + output + "'");
+  };
+  const auto has_holes = [&](const int filled, const int faces, const int larger) {
+    const std::string report = file_content(output + "/report.json");
+    const std::size_t begin = report.find("\"holes\"");
+    REQUIRE(begin != std::string::npos);
+    const std::string holes = report.substr(begin, report.find('}', begin) - begin);
+    CHECK(contains(holes, "\"filled\": " + std::to_string(filled) + ","));
+    CHECK(contains(holes, "\"faces\": " + std::to_string(faces) + ","));
+    CHECK(contains(holes, "\"larger\": " + std::to_string(larger) + ","));
+    CHECK(contains(holes, "\"failed\": 0"));
+  };
+  const Program_run small = run_with("--map-only --fill-holes 4");
+  CAPTURE(small.errors);
+  REQUIRE(small.exit_code == 0);
+  CHECK(contains(small.output, "1 filled with 2 faces that are no data; 2 larger ones left"));
+  CHECK(contains(small.output, "a border of 2 curves"));
+  has_holes(1, 2, 2);
+  const Program_run both = run_with("--fill-holes 25");
+  CAPTURE(both.errors);
+  REQUIRE(both.exit_code == 0);
+  CHECK(contains(both.errors, "plate.off: note: 2 holes filled with 8 faces; 1 larger one left"));
+  CHECK(contains(both.output, "a border of 1 curve"));
+  has_holes(2, 8, 1);
+  for (const auto& p : vertices_of_obj(output + "/t_spline.obj"))
+    REQUIRE(std::abs(p[2]) <= 1e-12);
+  CHECK(contains(failing_run("'" + mesh + "' --fill-holes 0").errors, "--fill-holes needs an integer of at least 1"));
+  CHECK(contains(failing_run("x.off --fill-holes 5 --field f.rawfield").errors, "--fill-holes and --field"));
+  CHECK(contains(failing_run("--uv x.obj --fill-holes 5").errors, "--fill-holes does not go with --uv"));
+}
+
 TEST_CASE("a triangle alone is bad input")
 {
   Soup triangle;

@@ -202,6 +202,7 @@ function convergenceSection(map) {
 function meshSection({ input, refined }, measure) {
   const rows = [
     ["input vertices", input.vertices], ["input faces", input.faces], ["genus", input.genus], ["components", input.components],
+    ...(input.holes ? [["holes filled", input.holes.filled], ["holes left", input.holes.larger + input.holes.failed]] : []),
     ["refined vertices", refined.vertices], ["refined faces", refined.faces], ["cut edges", refined.cut_edges],
     ["largest / smallest scale", refined.scale_range]];
   if (measure) {

@@ -11,9 +11,15 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/iterator.h>
 
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace T_splines {
@@ -59,8 +65,34 @@ public:
   const Transition_map& transitions() const { return m_parts->transitions; }
   /// Edge -> whether the charts on both sides differ.
   const Cut_map& cut() const { return m_parts->cut; }
-  /// Vertex -> its location on the given mesh. It is set where the map was computed.
+  /// Vertex -> its location on the given mesh.
   const Location_map& locations() const { return m_parts->locations; }
+
+  /// returns the face of the given mesh that a face of the refined one lies in. Complexity: the number of faces around a
+  /// vertex of the given mesh.
+  /// \param f a face of the refined mesh
+  /// \param given the given mesh
+  typename boost::graph_traits<TriangleMesh>::face_descriptor origin(const Mesh::Face_index f,
+                                                                     const TriangleMesh& given) const
+  {
+    std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> carriers; // of the corners
+    const auto is_corner = [&](const auto v, const auto face) {
+      const auto corners = CGAL::vertices_around_face(halfedge(face, given), given);
+      return std::find(corners.begin(), corners.end(), v) != corners.end();
+    };
+    for (const auto v : CGAL::vertices_around_face(mesh().halfedge(f), mesh())) {
+      const Location& location = get(locations(), v);
+      std::size_t i = 0;
+      for (const auto corner : CGAL::vertices_around_face(prev(halfedge(location.first, given), given), given))
+        if (location.second[i++] != 0)
+          carriers.push_back(corner);
+    }
+    for (const auto h : CGAL::halfedges_around_target(halfedge(carriers.front(), given), given))
+      if (!is_border(h, given) &&
+          std::all_of(carriers.begin(), carriers.end(), [&](const auto v) { return is_corner(v, face(h, given)); }))
+        return face(h, given);
+    return boost::graph_traits<TriangleMesh>::null_face();
+  }
 
   /// returns whether there is an exactly seamless map.
   bool has_map() const { return m_parts->map.has_value(); }

@@ -16,6 +16,7 @@
 #include <CGAL/T_splines/Tracing/place_T_mesh.h>
 #include <CGAL/T_splines/Tracing/trace_motorcycle_graph.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/face_is_data.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -77,7 +78,8 @@ public:
 
   /// traces the motorcycle graph of a map, and carries the mesh on its faces.
   /// \param map made by `make_exactly_seamless()`
-  /// \param np named parameters of `trace_motorcycle_graph()`, its output maps apart
+  /// \param np named parameters of `trace_motorcycle_graph()`, its output maps apart, and `face_is_data_map` of
+  ///   `carry_surface()`
   template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
   Motorcycle_graph_report trace(const Map& map, const NamedParameters& np = CGAL::parameters::default_values())
   {
@@ -87,7 +89,10 @@ public:
     Motorcycle_graph_report report = trace_motorcycle_graph(
         map, t, parameters::edge_polyline_map(m_parts->polylines, parameters::face_anchor_map(anchors, np)));
     if (report.success()) {
-      m_parts->surface = carry_surface(map, t, anchors, CGAL::parameters::visitor(internal::progress_visitor(np)));
+      m_parts->surface =
+          carry_surface(map, t, anchors,
+                        parameters::face_is_data_map(internal::face_is_data_map<MappedMesh>(np),
+                                                     CGAL::parameters::visitor(internal::progress_visitor(np))));
       if (m_parts->surface.triangles().empty()) {
         report.status = Motorcycle_graph_status::INTERRUPTED;
         m_parts = std::make_unique<Parts>();

@@ -142,6 +142,25 @@ public:
 
   /// The given mesh.
   const TriangleMesh& mesh() const { return m_mesh; }
+
+  /// says which faces of the mesh the surface is fitted to and measured against; without this, all. The others only close
+  /// holes, as those of `fill_holes()` do. To be called before the T-mesh is traced.
+  /// \tparam FaceIsDataMap a model of `ReadablePropertyMap`, face of the mesh -> `bool`
+  template <typename FaceIsDataMap>
+  void set_data(const FaceIsDataMap is_data)
+  {
+    forget_T_mesh();
+    m_is_data.emplace(get(CGAL::dynamic_face_property_t<bool>(), m_mesh));
+    for (const auto f : faces(m_mesh))
+      put(*m_is_data, f, get(is_data, f));
+  }
+
+  /// returns whether a face is one that the surface is fitted to and measured against.
+  bool is_data(const typename boost::graph_traits<TriangleMesh>::face_descriptor f) const
+  {
+    return !m_is_data || get(*m_is_data, f);
+  }
+
   const Report& report() const { return m_report; } ///< of the stages that were run
 
   /// \name Guidance
@@ -288,7 +307,11 @@ public:
       return lacks("an exact map");
     forget_T_mesh();
     Placed_T_mesh t_mesh;
-    m_report.motorcycle_graph = t_mesh.trace(m_mapped->map(), np);
+    const auto is_data = boost::make_function_property_map<typename Mapped::Mesh::Face_index>(
+        [this](const typename Mapped::Mesh::Face_index f) {
+          return !m_is_data || get(*m_is_data, m_mapped->origin(f, m_mesh));
+        });
+    m_report.motorcycle_graph = t_mesh.trace(m_mapped->map(), parameters::face_is_data_map(is_data, np));
     if (m_report.motorcycle_graph.success())
       m_t_mesh = std::move(t_mesh);
     return ended(m_report.motorcycle_graph, Status::TRACING_FAILED,
@@ -347,8 +370,11 @@ public:
   {
     if (!m_t_mesh)
       return lacks("a T-mesh");
-    m_report.fit =
-        fit_adaptive_T_spline(m_t_mesh->t_mesh(), m_t_mesh->surface(), m_mesh, tolerance, spline, with_points(np));
+    const auto are_data =
+        boost::make_function_property_map<typename boost::graph_traits<TriangleMesh>::face_descriptor>(
+            [this](const typename boost::graph_traits<TriangleMesh>::face_descriptor f) { return is_data(f); });
+    m_report.fit = fit_adaptive_T_spline(m_t_mesh->t_mesh(), m_t_mesh->surface(), m_mesh, tolerance, spline,
+                                         parameters::face_is_data_map(are_data, with_points(np)));
     return ended(m_report.fit, Status::FIT_FAILED, [&] { return describe(m_report.fit, m_t_mesh->t_mesh().graph()); });
   }
 
@@ -356,6 +382,7 @@ public:
 
 private:
   using Status = T_spline_approximation_status;
+  using Data_map = typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<bool>>::const_type;
   using Points =
       boost::function_property_map<internal::Point_in_doubles<Point_map>,
                                    typename boost::graph_traits<TriangleMesh>::vertex_descriptor, Kernel::Point_3>;
@@ -449,6 +476,10 @@ private:
       if (!is_border(from, m_mesh)) {
         const auto& p = get(uv, from);
         put(m_mapped->uv(), to, Kernel::Point_2(CGAL::to_double(p.x()), CGAL::to_double(p.y())));
+        typename Mapped::Location location(face(from, m_mesh), {{0, 0, 0}});
+        const auto first = halfedge(location.first, m_mesh);
+        location.second[from == first ? 1 : from == next(first, m_mesh) ? 2 : 0] = 1;
+        put(m_mapped->locations(), target(to, m_mapped->mesh()), location);
       }
   }
 
@@ -467,6 +498,7 @@ private:
   const TriangleMesh& m_mesh;
   internal::Point_in_doubles<Point_map> m_points;
   Cross_field m_cross_field;
+  std::optional<Data_map> m_is_data; // all, if there is none
   std::optional<Signature> m_signature;
   std::optional<Mapped> m_mapped;
   std::optional<Placed_T_mesh> m_t_mesh;

@@ -73,6 +73,12 @@ bool guide(Approximation& approximation, const NamedParameters& np)
 ///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
 ///     \cgalParamExtra{Points of any kernel, rounded to doubles.}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{face_is_data_map}
+///     \cgalParamDescription{which faces the surface is fitted to and measured against: the others only close holes, as those
+///       of `fill_holes()` do}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%face_descriptor` -> `bool`}
+///     \cgalParamDefault{all}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{tolerance}
 ///     \cgalParamDescription{the largest distance allowed between mesh and surface, by the longest side of the bounding box
 ///       of the mesh}
@@ -131,6 +137,8 @@ approximate_by_T_spline(const TriangleMesh& mesh, T_spline<>& spline,
   const std::optional<std::size_t> control_points =
       choose_parameter(get_parameter(np, np_tags::maximum_number_of_control_points), std::optional<std::size_t>());
   internal::Approximation_of<TriangleMesh, NamedParameters> approximation(mesh, internal::points_of(mesh, np));
+  if constexpr (!internal::is_missing<decltype(get_parameter(np, np_tags::face_is_data_map))>)
+    approximation.set_data(get_parameter(np, np_tags::face_is_data_map));
   if (internal::guide(approximation, np) && approximation.compute_T_mesh(internal::visitor_and_solver(np)))
     approximation.fit(
         choose_parameter(get_parameter(np, np_tags::tolerance), default_tolerance), spline,

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Spline/T_spline_deviation_report.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
+#include <CGAL/T_splines/internal/face_is_data.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
@@ -38,6 +39,11 @@ public:
   ///       `%Point_3`}
   ///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
   ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{face_is_data_map}
+  ///     \cgalParamDescription{which faces distances are taken from}
+  ///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%face_descriptor` -> `bool`}
+  ///     \cgalParamDefault{all}
+  ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   template <typename TriangleMesh, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Mesh_distance(const TriangleMesh& mesh, const NamedParameters& np = CGAL::parameters::default_values())
@@ -47,7 +53,8 @@ public:
     const auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                             get_const_property_map(CGAL::vertex_point, mesh));
     internal::Triangle_set set;
-    m_status = internal::read_triangle_set(mesh, point_map, set).status;
+    m_status = internal::read_triangle_set(mesh, point_map, internal::face_is_data_map<TriangleMesh>(np), set).status;
+    set.triangles.resize(set.number_of_data());
     if (is_valid())
       m_tree = std::make_shared<const internal::Triangle_tree>(set);
   }

@@ -16,6 +16,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/defaults.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/face_is_data.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -25,6 +26,7 @@
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
+#include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -73,7 +75,7 @@ Carried_surface<ToGraph> copied_surface(const Mesh_indexing<Graph>& indexing, co
   for (std::size_t i = 0; i < triangle_order.size() && progress.go_on_after(1); ++i) {
     triangle_place[triangle_order[i]] = i;
     const auto& t = triangles[triangle_order[i]];
-    result.add_triangle({place[t[0]], place[t[1]], place[t[2]]});
+    result.add_triangle({place[t[0]], place[t[1]], place[t[2]]}, surface.is_data(triangle_order[i]));
   }
   int i = 0;
   for (const auto f : CGAL::make_range(faces(to)))
@@ -122,6 +124,13 @@ Carried_surface<ToGraph> copied_surface(const Mesh_indexing<Graph>& indexing, co
 ///       `%Point_3`}
 ///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
 ///     \cgalParamExtra{Points of any kernel, rounded to doubles.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{face_is_data_map}
+///     \cgalParamDescription{which faces of `mesh` the surface is measured against, as for `measure_T_spline_deviation()`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%face_descriptor` -> `bool`}
+///     \cgalParamDefault{all}
+///     \cgalParamExtra{What the surface is fitted to, the triangles of `surface` say themselves: where they are no data,
+///       the thin-plate energy alone determines it.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_control_points}
 ///     \cgalParamDescription{the most control points that the surface may have}
@@ -205,7 +214,7 @@ fit_adaptive_T_spline(const TMesh& t_mesh, const Carried_surface<T_mesh_graph<TM
     return refused(Status::NO_SURFACE);
   if (!internal::is_known_admissible(t_mesh, np, progress, report.fit.surface.compatibility))
     return refused(progress.is_interrupted() ? Status::INTERRUPTED : Status::INADMISSIBLE);
-  internal::Reference_mesh reference(mesh, point_map, progress);
+  internal::Reference_mesh reference(mesh, point_map, internal::face_is_data_map<TriangleMesh>(np), progress);
   if (!reference.is_valid()) {
     report.deviation.status = reference.reading().status;
     report.deviation.vertex = reference.reading().vertex;
@@ -228,14 +237,17 @@ fit_adaptive_T_spline(const TMesh& t_mesh, const Carried_surface<T_mesh_graph<TM
 }
 
 /// \ingroup PkgTSplinesSpline
-/// does the same for a mesh that is not at hand: the surface is measured against the triangles of `surface`, of which the
+/// does the same for a mesh that is not at hand: the surface is measured against the triangles of `surface` that are data; the
 /// report names the faces of `surface.mesh()`.
 template <typename TMesh, typename Kernel, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 auto fit_adaptive_T_spline(const TMesh& t_mesh, const Carried_surface<T_mesh_graph<TMesh>>& surface,
                            const double tolerance, T_spline<Kernel>& spline,
                            const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return fit_adaptive_T_spline(t_mesh, surface, surface.mesh(), tolerance, spline, np);
+  using Face = typename decltype(surface.mesh())::Face_index;
+  const auto is_data = boost::make_function_property_map<Face>([&surface](const Face f) { return surface.is_data(f); });
+  return fit_adaptive_T_spline(t_mesh, surface, surface.mesh(), tolerance, spline,
+                               parameters::face_is_data_map(is_data, np));
 }
 
 } // namespace T_splines

@@ -16,6 +16,7 @@
 #include <CGAL/T_splines/Spline/internal/Measured_surface.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/face_is_data.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -61,11 +62,12 @@ public:
 
   void measure_surface()
   {
-    Distances_to_mesh<Measured> distances(m_surface, m_mesh.tree, negligible(), smallest_size(), m_progress);
-    Fold_search<Measured> folds(m_surface, m_mesh.tree, m_mesh.normals, reach_of_doubt());
+    Distances_to_mesh<Measured> distances(m_surface, m_mesh, negligible(), smallest_size(), m_progress);
+    Fold_search<Measured> folds(m_surface, m_mesh, reach_of_doubt());
     Distance_sum sum(m_report.tolerance);
     const auto visit = [&](const Surface_sample& sample, const double distance) {
-      attribute(m_surface.domain(sample.patch).face, distance);
+      if (sample.is_measured())
+        attribute(m_surface.domain(sample.patch).face, distance);
       folds.visit(sample);
     };
     {
@@ -249,12 +251,19 @@ private:
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{infinite}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{face_is_data_map}
+///     \cgalParamDescription{which faces are measured: the others only close holes, and no distance is taken from a point
+///       of them, nor from a point of the surface whose closest point is on them; folds are looked for there, too}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%face_descriptor` -> `bool`}
+///     \cgalParamDefault{all}
+///     \cgalParamExtra{The bounding box of the mesh is that of the faces that are measured.}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_distance_map}
 ///     \cgalParamDescription{receives the distance of each vertex of the mesh from the surface}
 ///     \cgalParamType{a model of `WritablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
 ///       `double`}
 ///     \cgalParamDefault{none is written}
-///     \cgalParamExtra{Written upon success, for the vertices of faces.}
+///     \cgalParamExtra{Written upon success, for the vertices of faces that are measured.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_deviation_map}
 ///     \cgalParamDescription{receives the largest distance found of a point of the face from the mesh, and of a point
@@ -301,7 +310,8 @@ measure_T_spline_deviation(const Surface& surface, const TriangleMesh& mesh,
     return progress.is_interrupted();
   };
   internal::Triangle_set triangles;
-  const auto reading = internal::read_triangle_set(mesh, point_map, triangles);
+  const auto reading =
+      internal::read_triangle_set(mesh, point_map, internal::face_is_data_map<TriangleMesh>(np), triangles);
   report.status = reading.status;
   report.vertex = reading.vertex;
   report.face = reading.face;
@@ -343,7 +353,7 @@ measure_T_spline_deviation(const Surface& surface, const TriangleMesh& mesh,
   if (is_interrupted())
     return report;
   if constexpr (!internal::is_missing<decltype(distance_map)>)
-    for (std::size_t i = 0; i < reading.vertices.size(); ++i)
+    for (std::size_t i = 0; i < measurement.vertex_distances().size(); ++i)
       put(distance_map, reading.vertices[i], measurement.vertex_distances()[i]);
   for (int f = 0; f < compiled.indexing().number_of_faces(); ++f) {
     if constexpr (!internal::is_missing<decltype(deviation_map)>)

@@ -33,7 +33,7 @@ namespace T_splines {
 /// triangles each face covers, and where they are in its frame. So every place in a face is a point of the surface.
 ///
 /// `carry_surface()` makes one of a map and the T-mesh that was traced on it; for surfaces of other origin, points,
-/// triangles and images are added one by one. Give `observer()` to the operations that change the T-mesh; each takes
+/// triangles and images are added one by one. Triangles that only close holes are no data: fits take nothing from them. Give `observer()` to the operations that change the T-mesh; each takes
 /// time n log n in the number of images in the faces that it touches.
 /// \tparam Graph_ a model of `FaceGraph`
 template <typename Graph_>
@@ -80,9 +80,12 @@ public:
 
   /// adds a triangle of three different points, and returns its number, counted from 0. An edge has at most two
   /// triangles, which name it in opposite directions.
-  std::size_t add_triangle(const Triangle& triangle)
+  /// \param triangle the numbers of its points
+  /// \param is_data whether it counts for a fit
+  std::size_t add_triangle(const Triangle& triangle, const bool is_data = true)
   {
     m_triangles.push_back(triangle);
+    m_is_data.push_back(is_data);
     return m_triangles.size() - 1;
   }
 
@@ -93,6 +96,8 @@ public:
   const std::vector<Point_3>& points() const { return m_points; }
   /// returns all triangles, by their numbers.
   const std::vector<Triangle>& triangles() const { return m_triangles; }
+  /// returns whether a triangle counts for a fit.
+  bool is_data(const std::size_t triangle) const { return m_is_data[triangle]; }
 
   /// returns the images in the face `f`, in no particular order; valid until the T-mesh changes.
   const std::vector<Image>& images(const face_descriptor f) const
@@ -187,6 +192,7 @@ private:
 
   std::vector<Point_3> m_points;
   std::vector<Triangle> m_triangles;
+  std::vector<bool> m_is_data; // of the triangles
   std::unordered_map<face_descriptor, std::vector<Image>, boost::hash<face_descriptor>> m_images;
   std::vector<Image> m_none;
 };

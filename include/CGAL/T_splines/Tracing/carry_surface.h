@@ -12,6 +12,7 @@
 #include <CGAL/T_splines/Tracing/internal/Chart_points.h>
 #include <CGAL/T_splines/Tracing/internal/Face_triangles.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/face_is_data.h>
 #include <CGAL/T_splines/internal/graph_checks.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -40,6 +41,11 @@ namespace T_splines {
 ///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
 ///       `%Point_3`}
 ///     \cgalParamDefault{the map of the mapped mesh for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{face_is_data_map}
+///     \cgalParamDescription{which faces count for a fit: the others only close holes}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%face_descriptor` -> `bool`}
+///     \cgalParamDefault{all}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{what hears of the progress and may stop the work}
@@ -74,10 +80,12 @@ Carried_surface<T_mesh_graph<TMesh>> carry_surface(const Seamless_map<TriangleMe
     return surface;
   for (const std::array<double, 3>& p : internal::points_in_doubles(map.indexing(), point_map))
     surface.add_point({p[0], p[1], p[2]});
+  const auto is_data = internal::face_is_data_map<TriangleMesh>(np);
   for (int t = 0; t < mesh.number_of_faces(); ++t) {
     const int h = mesh.halfedge_of_face(t), g = mesh.next(h);
     surface.add_triangle({static_cast<std::size_t>(mesh.target(h)), static_cast<std::size_t>(mesh.target(g)),
-                          static_cast<std::size_t>(mesh.target(mesh.next(g)))});
+                          static_cast<std::size_t>(mesh.target(mesh.next(g)))},
+                         get(is_data, map.indexing().face(t)));
   }
   const T_mesh_coordinates coordinates(t_mesh);
   if (!progress.go_on())

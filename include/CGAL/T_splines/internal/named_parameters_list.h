@@ -35,6 +35,7 @@ CGAL_T_SPLINES_NAMED_PARAMETER(face_anchor_map)
 CGAL_T_SPLINES_NAMED_PARAMETER(edge_polyline_map)
 CGAL_T_SPLINES_NAMED_PARAMETER(relative_tolerance)
 CGAL_T_SPLINES_NAMED_PARAMETER(number_of_samples)
+CGAL_T_SPLINES_NAMED_PARAMETER(face_is_data_map)
 
 // Spline
 CGAL_T_SPLINES_NAMED_PARAMETER(number_of_rings)

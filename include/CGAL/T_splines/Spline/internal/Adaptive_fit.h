@@ -102,7 +102,7 @@ public:
       m_caller(progress),
       m_points(surface.points()),
       m_triangles(surface.triangles()),
-      m_walk(m_points, m_triangles, progress),
+      m_walk(m_points, m_triangles, others_than_data(surface), progress),
       m_plain{t_mesh, surface, std::vector<double>(t_mesh.graph().number_of_faces(), 1)}
   {
   }
@@ -120,6 +120,14 @@ public:
   const Working& best() const { return m_best; }
 
 private:
+  static std::vector<bool> others_than_data(const Carried& surface)
+  {
+    std::vector<bool> result;
+    for (std::size_t i = 0; i < surface.triangles().size(); ++i)
+      result.push_back(!surface.is_data(i));
+    return result;
+  }
+
   template <typename Report>
   void run_levels(Report& report)
   {

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Spline/internal/Bezier_part.h>
 #include <CGAL/T_splines/Spline/internal/Distance_sum.h>
 #include <CGAL/T_splines/Spline/internal/Largest_distance.h>
+#include <CGAL/T_splines/Spline/internal/Measured_mesh.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
 #include <CGAL/T_splines/internal/Progress.h>
@@ -30,11 +31,15 @@ struct Surface_sample {
   Triangle_set::Point_3 point;
   Triangle_set::Kernel::Vector_3 normal; ///< of the surface, as long as the area of the parameters' unit square
   Triangle_tree::Foot foot;
+  double distance_beyond = 0; ///< see `Measured_mesh`
+
+  /// Whether the closest point is on what is data.
+  bool is_measured() const { return !(distance_beyond > 0); }
 };
 
 /// The point (s, t) of a patch, with what is closest on a mesh. \param hint a triangle near by
 template <typename Measured>
-Surface_sample surface_sample(const Measured& surface, const Triangle_tree& mesh, const std::size_t patch,
+Surface_sample surface_sample(const Measured& surface, const Measured_mesh& mesh, const std::size_t patch,
                               const double s, const double t, const std::size_t hint)
 {
   const auto h = surface.patch(patch).template homogeneous_jet<1>(s, t);
@@ -48,7 +53,8 @@ Surface_sample surface_sample(const Measured& surface, const Triangle_tree& mesh
   sample.t = t;
   sample.point = Triangle_set::Point_3(x, y, z);
   sample.normal = CGAL::cross_product(derivative(h[1]), derivative(h[2]));
-  sample.foot = mesh.foot(sample.point, hint);
+  sample.foot = mesh.tree.foot(sample.point, hint);
+  sample.distance_beyond = mesh.distance_beyond(sample.point, sample.foot);
   return sample;
 }
 
@@ -57,7 +63,8 @@ Surface_sample surface_sample(const Measured& surface, const Triangle_tree& mesh
 /// Every Bezier patch is divided into a grid of cells, at least 3 x 3 of them, in caps graded towards the extraordinary
 /// vertex; distances are measured in their middles. Then the cells whose bounds exceed the largest distance are halved.
 /// There are two bounds. (1) Distances change by no more than the point moves. (2) The distance from a triangle is a
-/// convex function: it is largest at one of the control points of the cell.
+/// convex function: it is largest at one of the control points of the cell. Points whose closest point is on what closes a
+/// hole have no distance.
 /// \tparam Measured a `Measured_surface`
 template <typename Measured>
 class Distances_to_mesh {
@@ -68,7 +75,7 @@ public:
   /// \param negligible distances that need not be told apart
   /// \param smallest_size cells need not be smaller for means
   /// \param progress it must outlive this; if it is interrupted, what was measured means nothing
-  Distances_to_mesh(const Measured& surface, const Triangle_tree& mesh, const double negligible,
+  Distances_to_mesh(const Measured& surface, const Measured_mesh& mesh, const double negligible,
                     const double smallest_size, Progress& progress)
     : m_surface(surface),
       m_mesh(mesh),
@@ -78,7 +85,7 @@ public:
   {
   }
 
-  /// Calls `visit(sample, distance)` for all samples.
+  /// Calls `visit(sample, distance)` for all samples, also for those that are not measured.
   /// \param number_of_cells how many there are, about; more if patches are narrow
   template <typename Visit>
   void measure(const double number_of_cells, Distance_sum& sum, const Visit& visit)
@@ -176,7 +183,8 @@ private:
             patch,
             {r.s_begin + i * width, r.s_begin + (i + 1) * width, r.t_begin + j * height, r.t_begin + (j + 1) * height},
             m_sample.foot.triangle, visit);
-        sum.add(std::sqrt(m_sample.normal.squared_length()) * width * height, m_sample.foot.distance());
+        if (m_sample.is_measured())
+          sum.add(std::sqrt(m_sample.normal.squared_length()) * width * height, m_sample.foot.distance());
         if (m_largest.is_open(cell.bound))
           m_cells.push_back(cell);
         else
@@ -190,11 +198,13 @@ private:
                 const Visit& visit)
   {
     m_sample = surface_sample(m_surface, m_mesh, patch, rectangle.middle_s(), rectangle.middle_t(), triangle);
-    const double distance = m_sample.foot.distance();
-    if (m_largest.offer(distance))
+    const double distance = m_sample.foot.distance(), radius = m_surface.bounds(patch).radius(rectangle);
+    if (m_sample.is_measured() && m_largest.offer(distance))
       m_farthest = m_sample;
     visit(m_sample, distance);
-    return {patch, m_sample.foot.triangle, rectangle, distance + m_surface.bounds(patch).radius(rectangle), false};
+    // On the way to any other point of the cell, one distance grows and the other one shrinks by no more than the radius.
+    const bool is_measured = !(m_sample.distance_beyond > 2 * radius);
+    return {patch, m_sample.foot.triangle, rectangle, is_measured ? distance + radius : 0, false};
   }
 
   int longer_axis(const Cell& cell) const
@@ -211,14 +221,14 @@ private:
       if (!(h[3] > 0))
         return cell.bound;
       const Point_3 p(h[0] / h[3], h[1] / h[3], h[2] / h[3]);
-      largest =
-          (std::max)(largest, CGAL::squared_distance(p, closest_of_triangle(p, m_mesh.triangle(cell.triangle)).point));
+      largest = (std::max)(
+          largest, CGAL::squared_distance(p, closest_of_triangle(p, m_mesh.tree.triangle(cell.triangle)).point));
     }
     return std::sqrt(largest);
   }
 
   const Measured& m_surface;
-  const Triangle_tree& m_mesh;
+  const Measured_mesh& m_mesh;
   double m_smallest_size;
   Progress& m_progress;
   Surface_sample m_sample, m_farthest;

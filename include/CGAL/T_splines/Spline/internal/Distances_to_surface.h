@@ -25,7 +25,7 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// Measures the distances of a mesh from a surface.
+/// Measures the distances of a mesh from a surface: of its triangles that are data.
 ///
 /// Edges and triangles that are large compared with the Bezier patches next to them are bisected; distances are measured
 /// at all corners and centroids. From the largest ones, steps lead to even larger ones. Then the parts whose bounds
@@ -65,7 +65,7 @@ public:
 
   /// Calls `visit(sample)` for all samples.
   /// \param number_of_samples how many there may be in large triangles, about
-  /// \param distances receives those of the points of the mesh
+  /// \param distances receives those of the points of the mesh that are data
   template <typename Visit>
   void measure(const double number_of_samples, Distance_sum& sum, std::vector<double>& distances, const Visit& visit)
   {
@@ -74,7 +74,7 @@ public:
     const double smallest =
         affordable_size(m_mesh, (std::max)(smallest_cell(), m_smallest_size), number_of_samples, m_progress);
     std::vector<Part> parts;
-    const std::size_t n = m_mesh.triangles.size();
+    const std::size_t n = m_mesh.number_of_data();
     for (std::size_t i = 0; i < n && m_progress.go_on_after(10); ++i) {
       if (i % 64 == 0)
         m_progress.progress(0.6 + 0.4 * static_cast<double>(i) / static_cast<double>(n));
@@ -135,7 +135,7 @@ private:
   {
     std::vector<std::array<std::size_t, 3>> edges; // two points and a triangle
     double length = 0;
-    for (std::size_t i = 0; i < m_mesh.triangles.size(); ++i)
+    for (std::size_t i = 0; i < m_mesh.number_of_data(); ++i)
       for (int k = 0; k < 3; ++k) {
         const std::size_t p = m_mesh.triangles[i][k], q = m_mesh.triangles[i][(k + 1) % 3];
         edges.push_back({(std::min)(p, q), (std::max)(p, q), i});
@@ -251,10 +251,10 @@ private:
   template <typename Visit>
   void measure_points(const Visit& visit)
   {
-    m_feet.resize(m_mesh.points.size());
-    std::vector<bool> is_measured(m_mesh.points.size(), false);
+    m_feet.resize(m_mesh.number_of_data_points());
+    std::vector<bool> is_measured(m_feet.size(), false);
     Foot hint;
-    const std::size_t n = m_mesh.triangles.size();
+    const std::size_t n = m_mesh.number_of_data();
     for (std::size_t i = 0; i < n && m_progress.go_on_after(1); ++i) {
       if (i % 64 == 0)
         m_progress.progress(0.3 * static_cast<double>(i) / static_cast<double>(n));

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Spline/internal/Bezier_part.h>
 #include <CGAL/T_splines/Spline/internal/Distances_to_mesh.h>
 #include <CGAL/T_splines/Spline/internal/Fold_state.h>
+#include <CGAL/T_splines/Spline/internal/Measured_mesh.h>
 #include <CGAL/T_splines/Spline/internal/Mesh_normals.h>
 #include <CGAL/T_splines/Spline/internal/Normal_hull.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
@@ -31,6 +32,8 @@ namespace internal {
 /// A patch has no fold where a cone around its normals, from the Bernstein coefficients of the homogeneous normal, and
 /// the normals of all triangles on which closest points may lie are within a right angle. Patches for which that is not
 /// shown, and whose samples have turned far, are sampled more densely.
+///
+/// What closes a hole counts: a fold there is one, though no normals are compared there.
 /// \tparam Measured a `Measured_surface`
 template <typename Measured>
 class Fold_search {
@@ -39,10 +42,11 @@ class Fold_search {
   using Patch = typename Measured::Patch;
 
 public:
-  Fold_search(const Measured& surface, const Triangle_tree& mesh, const Mesh_normals& normals, const double tolerance)
+  Fold_search(const Measured& surface, const Measured_mesh& mesh, const double tolerance)
     : m_surface(surface),
-      m_mesh(mesh),
-      m_normals(normals),
+      m_measured_mesh(mesh),
+      m_mesh(mesh.tree),
+      m_normals(mesh.normals),
       m_tolerance(tolerance),
       m_cosines(surface.number_of_patches(), 1.),
       m_states(surface.number_of_patches(), Fold_state::NONE),
@@ -65,8 +69,8 @@ public:
     if (cosine <= 0 && state != Fold_state::FOLDED)
       state = agrees_within_tolerance(unit, sample) ? Fold_state::DOUBTFUL : Fold_state::FOLDED;
     smallest = (std::min)(smallest, cosine);
-    if (smallest < m_smallest_cosine) {
-      m_smallest_cosine = smallest;
+    if (sample.is_measured() && cosine < m_smallest_cosine) {
+      m_smallest_cosine = cosine;
       m_worst = sample;
     }
   }
@@ -118,7 +122,7 @@ private:
   {
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i)
-        visit(surface_sample(m_surface, m_mesh, patch, (i + 0.5) / n, (j + 0.5) / n, m_triangles[patch]));
+        visit(surface_sample(m_surface, m_measured_mesh, patch, (i + 0.5) / n, (j + 0.5) / n, m_triangles[patch]));
   }
 
   // Of a patch or a part of one; if it is not shown for the whole, then for all four quarters.
@@ -162,6 +166,7 @@ private:
   }
 
   const Measured& m_surface;
+  const Measured_mesh& m_measured_mesh;
   const Triangle_tree& m_mesh;
   const Mesh_normals& m_normals;
   double m_tolerance;

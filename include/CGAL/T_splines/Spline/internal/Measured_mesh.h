@@ -8,7 +8,9 @@
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_tree.h>
 #include <CGAL/T_splines/internal/Progress.h>
+#include <CGAL/T_splines/internal/tolerances.h>
 
+#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -23,6 +25,11 @@ struct Measured_mesh {
       tree(triangles, progress),
       normals(triangles)
   {
+    if (triangles.has_only_data())
+      return;
+    Triangle_set data = triangles;
+    data.triangles.resize(triangles.number_of_data());
+    data_tree.emplace(data, progress);
   }
   Measured_mesh(const Measured_mesh&) = delete; // the normals refer to the triangles
   Measured_mesh& operator=(const Measured_mesh&) = delete;
@@ -30,6 +37,22 @@ struct Measured_mesh {
   const Triangle_set triangles;
   const Triangle_tree tree;
   const Mesh_normals normals;
+  std::optional<Triangle_tree> data_tree; ///< of the triangles that are data; none if all are
+
+  /// The distance of a point from the data, beyond that from the mesh: 0 where the point is measured.
+  /// \param foot of the point on the mesh; where data is as near, as on the edges between data and what closes a hole, it
+  ///   becomes that on data
+  double distance_beyond(const Triangle_set::Point_3& p, Triangle_tree::Foot& foot) const
+  {
+    constexpr double equal = 1 + same_point;
+    if (triangles.is_data(foot.triangle))
+      return 0;
+    const Triangle_tree::Foot data_foot = data_tree->foot(p);
+    if (data_foot.distance() > equal * foot.distance())
+      return data_foot.distance() - foot.distance();
+    foot = data_foot;
+    return 0;
+  }
 };
 
 } // namespace internal

@@ -25,19 +25,22 @@ public:
   using TriangleMesh = TriangleMesh_;
 
   /// \param progress it must outlive this; once it is interrupted, what is computed means nothing
-  Reference_mesh(const TriangleMesh& mesh, const VertexPointMap point_map, Progress& progress)
+  /// \param is_data which faces are measured
+  template <typename FaceIsDataMap>
+  Reference_mesh(const TriangleMesh& mesh, const VertexPointMap point_map, const FaceIsDataMap is_data,
+                 Progress& progress)
     : m_mesh(mesh),
       m_point_map(point_map),
       m_progress(progress)
   {
-    m_reading = read_triangle_set(mesh, point_map, m_triangles);
+    m_reading = read_triangle_set(mesh, point_map, is_data, m_triangles);
     m_extent = m_triangles.extent();
   }
 
   /// Whether there are triangles with points to measure; what follows needs that.
   bool is_valid() const { return m_reading.status == T_spline_deviation_status::MEASURED; }
   const Triangle_reading<TriangleMesh>& reading() const { return m_reading; }
-  double extent() const { return m_extent; } ///< the longest side of the bounding box
+  double extent() const { return m_extent; } ///< the longest side of the bounding box of the data
 
   const Measured_mesh& measured()
   {

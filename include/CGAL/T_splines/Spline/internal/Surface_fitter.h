@@ -141,6 +141,10 @@ private:
     const Surface& surface = m_fitted.surface();
     Surface_sampling<Graph, FT> sampling(surface.basis(), surface.indexing(), m_carried, m_walk, m_progress);
     m_cells = sampling.cells(fewest_per_cell);
+    const auto end_of_data = std::stable_partition(
+        m_cells.begin(), m_cells.end(), [&](const Sampled_place& s) { return m_carried.is_data(s.triangle); });
+    m_bare_cells.assign(end_of_data, m_cells.end());
+    m_cells.erase(end_of_data, m_cells.end());
     m_edges = sampling.sharp_edges(smallest_turn, edge_points_per_cell);
     m_border = sampling.border(fewest_per_cell);
     m_border_corners = sampling.border_corners();
@@ -148,8 +152,10 @@ private:
     for (const auto& corner : m_border_corners)
       m_is_border_corner[corner.point] = 1;
     m_corners = sampling.corners();
-    for (const Point_3& p : m_carried.points())
-      m_box.extend(p);
+    for (std::size_t i = 0; i < m_carried.triangles().size(); ++i)
+      if (m_carried.is_data(i))
+        for (const std::size_t p : m_carried.triangles()[i])
+          m_box.extend(m_carried.points()[p]);
     m_fitted.set_origin({FT(m_box.middle(0)), FT(m_box.middle(1)), FT(m_box.middle(2))});
     double area = 0;
     m_triangles.clear();
@@ -178,13 +184,15 @@ private:
       move_aims(aims);
   }
 
-  // In every face: otherwise the surface does not cover the T-mesh.
+  // In every face: otherwise the surface does not cover the T-mesh. And there must be some that are data.
   bool has_samples() const
   {
     std::vector<char> has_sample(m_fitted.surface().t_mesh_arrays().number_of_faces(), 0);
-    for (const Sampled_place& sample : m_cells)
-      has_sample[sample.face] = sample.area > 0 || has_sample[sample.face] != 0;
-    return std::all_of(has_sample.begin(), has_sample.end(), [](const char has) { return has != 0; });
+    for (const std::vector<Sampled_place>* const samples : {&m_cells, &m_bare_cells})
+      for (const Sampled_place& sample : *samples)
+        has_sample[sample.face] = sample.area > 0 || has_sample[sample.face] != 0;
+    return !m_cells.empty() &&
+           std::all_of(has_sample.begin(), has_sample.end(), [](const char has) { return has != 0; });
   }
 
   std::array<FT, 3> relative(const Point_3& p) const
@@ -295,8 +303,9 @@ private:
     const FT factor = FT(fairness * m_mean_area * m_mean_area);
     const std::size_t number_of_faces = m_fitted.surface().t_mesh_arrays().number_of_faces();
     std::vector<FT> areas(number_of_faces, FT(0)), stiffness;
-    for (const Sampled_place& s : m_cells)
-      areas[s.face] += FT(s.area);
+    for (const std::vector<Sampled_place>* const samples : {&m_cells, &m_bare_cells})
+      for (const Sampled_place& s : *samples)
+        areas[s.face] += FT(s.area);
     for (const double x : m_stiffness)
       stiffness.push_back(factor * FT(x));
     system.set_fairness(areas, stiffness);
@@ -366,6 +375,8 @@ private:
                         : Fold_state::FOLDED;
       }
     }
+    for (const Sampled_place& s : m_bare_cells)
+      m_faces[s.face].area += s.area;
     for (std::size_t i = 0; i < m_border.size(); ++i)
       m_faces[m_border[i].face].distance =
           (std::max)(m_faces[m_border[i].face].distance, std::sqrt(m_border_feet[i].squared_distance));
@@ -473,6 +484,7 @@ private:
   Axis_parallel_box<double> m_box;
   double m_mean_area = 0; // of a sample of the cells
   std::vector<Sampled_place> m_cells, m_edges, m_border, m_corners;
+  std::vector<Sampled_place> m_bare_cells; // where there is no data: no samples, but the surface has an area there
   std::vector<typename Surface_sampling<Graph, FT>::Border_corner> m_border_corners;
   std::vector<char> m_is_border_corner;            // per point of the surface
   std::vector<std::array<FT, 3>> m_control_points; // relative to the origin

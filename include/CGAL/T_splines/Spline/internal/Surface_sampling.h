@@ -58,7 +58,7 @@ public:
   }
 
   /// A grid of samples in each Bezier cell, at least `fewest` x `fewest`; more where the triangles are small against
-  /// the cells, but not more than twice as many in each direction.
+  /// the cells, but not more than twice as many in each direction. Also where triangles are no data.
   std::vector<Sampled_place> cells(const int fewest)
   {
     std::vector<Sampled_place> samples;
@@ -72,7 +72,7 @@ public:
     return samples;
   }
 
-  /// `n` places per Bezier cell on those sides of faces where the border of the surface is.
+  /// `n` places per Bezier cell on those sides of faces where the border of the surface is, and data.
   std::vector<Sampled_place> border(const int n)
   {
     std::vector<Sampled_place> samples;
@@ -81,7 +81,8 @@ public:
       m_progress.go_on_after(work_per_image * images().size());
       for (const Image& image : images())
         for (int i = 0; i < 3; ++i)
-          if (m_walk.across(image.triangle, static_cast<std::size_t>(i)) == image.triangle)
+          if (m_surface.is_data(image.triangle) &&
+              m_walk.across(image.triangle, static_cast<std::size_t>(i)) == image.triangle)
             add_border_edge(image, i, n, samples);
     }
     return samples;
@@ -108,7 +109,7 @@ public:
     return result;
   }
 
-  /// The points of the surface that triangles have as corners, each once.
+  /// The points of the surface that triangles with data have as corners, each once.
   std::vector<Sampled_place> corners()
   {
     std::vector<Sampled_place> samples;
@@ -121,7 +122,8 @@ public:
         for (int i = 0; i < 3; ++i) {
           const std::size_t p = m_surface.triangles()[image.triangle][i];
           const double u = image.corners[i][0], v = image.corners[i][1];
-          if (is_taken[p] || u < -eps_u || v < -eps_v || u > m_width + eps_u || v > m_height + eps_v)
+          if (!m_surface.is_data(image.triangle) || is_taken[p] || u < -eps_u || v < -eps_v || u > m_width + eps_u ||
+              v > m_height + eps_v)
             continue;
           is_taken[p] = 1;
           samples.push_back({f, std::clamp(u, 0., m_width), std::clamp(v, 0., m_height), image.triangle,
@@ -132,7 +134,7 @@ public:
   }
 
   /// Points of those edges of the surface at which the normal turns by more than `largest_turn` (in radians), about
-  /// `per_cell` of them where an edge crosses a cell.
+  /// `per_cell` of them where an edge between data crosses a cell.
   std::vector<Sampled_place> sharp_edges(const double largest_turn, const double per_cell)
   {
     const double cosine = std::cos(largest_turn);
@@ -143,7 +145,8 @@ public:
       for (const Image& image : images())
         for (std::size_t i = 0; i < 3; ++i) {
           const std::size_t other = m_walk.across(image.triangle, i);
-          if (other > image.triangle && m_walk.unit_normal(image.triangle) * m_walk.unit_normal(other) < cosine)
+          if (other > image.triangle && m_surface.is_data(image.triangle) && m_surface.is_data(other) &&
+              m_walk.unit_normal(image.triangle) * m_walk.unit_normal(other) < cosine)
             add_edge(image, i, per_cell, samples);
         }
     }

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -43,10 +44,13 @@ public:
   };
 
   /// \param points, triangles must outlive this
+  /// \param is_barred the triangles that no walk leads to
   /// \param progress if it is interrupted, this must not be used
-  Surface_walk(const std::vector<Point_3>& points, const std::vector<Triangle>& triangles, Progress& progress)
+  Surface_walk(const std::vector<Point_3>& points, const std::vector<Triangle>& triangles, std::vector<bool> is_barred,
+               Progress& progress)
     : m_points(points),
       m_triangles(triangles),
+      m_is_barred(std::move(is_barred)),
       m_stars(points.size(), triangles)
   {
     for (std::size_t i = 0; i < triangles.size() && progress.go_on_after(2); ++i) {
@@ -169,7 +173,7 @@ private:
 
   void take_if_closer(const Point_3& q, const std::size_t t, Foot& foot) const
   {
-    if (t == foot.triangle)
+    if (t == foot.triangle || m_is_barred[t])
       return;
     const Foot other = closest_of(q, t);
     if (other.squared_distance < foot.squared_distance)
@@ -207,6 +211,7 @@ private:
 
   const std::vector<Point_3>& m_points;
   const std::vector<Triangle>& m_triangles;
+  const std::vector<bool> m_is_barred;
   Triangle_stars m_stars;
   std::vector<Triangle_set::Triangle_3> m_corners;
   std::vector<std::array<std::size_t, 3>> m_across;

@@ -26,7 +26,8 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// Triangles in doubles, whose corners are numbers of points.
+/// Triangles in doubles, whose corners are numbers of points. The first ones are data, with the first points; the others only
+/// close holes.
 struct Triangle_set {
   using Kernel = CGAL::Simple_cartesian<double>;
   using Point_3 = Kernel::Point_3;
@@ -34,7 +35,19 @@ struct Triangle_set {
 
   std::vector<Point_3> points;
   std::vector<std::array<std::size_t, 3>> triangles;
-  std::vector<std::array<std::size_t, 2>> border; ///< the edges on the border of a mesh
+  std::vector<std::array<std::size_t, 2>> border;                      ///< the edges on the border of a mesh
+  std::size_t end_of_data = (std::numeric_limits<std::size_t>::max)(); ///< among the triangles
+
+  bool is_data(const std::size_t triangle) const { return triangle < end_of_data; }
+  bool has_only_data() const { return end_of_data >= triangles.size(); }
+  std::size_t number_of_data() const { return (std::min)(end_of_data, triangles.size()); }
+  std::size_t number_of_data_points() const
+  {
+    std::size_t result = has_only_data() ? points.size() : 0;
+    for (std::size_t i = 0; i < end_of_data && result < points.size(); ++i)
+      result = (std::max)({result, triangles[i][0] + 1, triangles[i][1] + 1, triangles[i][2] + 1});
+    return result;
+  }
 
   Triangle_3 triangle(const std::size_t i) const
   {
@@ -42,11 +55,12 @@ struct Triangle_set {
     return Triangle_3(points[t[0]], points[t[1]], points[t[2]]);
   }
 
+  /// The longest side of the bounding box of the data.
   double extent() const
   {
     Axis_parallel_box<double> box;
-    for (const Point_3& p : points)
-      box.extend(p);
+    for (std::size_t i = 0, end = number_of_data_points(); i < end; ++i)
+      box.extend(points[i]);
     return box.extent();
   }
 };
@@ -84,11 +98,11 @@ struct Triangle_reading {
   std::vector<typename Traits::halfedge_descriptor> border; ///< of the edges on the border
 };
 
-/// Reads a mesh. Its points are the vertices of faces, in the order in which faces name them: neighbours follow each
-/// other.
-template <typename TriangleMesh, typename VertexPointMap>
+/// Reads a mesh, the faces that are data first. Its points are the vertices of faces, in the order in which faces name them:
+/// neighbours follow each other.
+template <typename TriangleMesh, typename VertexPointMap, typename FaceIsDataMap>
 Triangle_reading<TriangleMesh> read_triangle_set(const TriangleMesh& mesh, const VertexPointMap point_map,
-                                                 Triangle_set& set)
+                                                 const FaceIsDataMap is_data, Triangle_set& set)
 {
   using Index_map =
       typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<std::size_t>>::const_type;
@@ -97,7 +111,15 @@ Triangle_reading<TriangleMesh> read_triangle_set(const TriangleMesh& mesh, const
   const Index_map index = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
   for (const auto v : CGAL::make_range(vertices(mesh)))
     put(index, v, none);
-  for (const auto f : CGAL::make_range(faces(mesh))) {
+  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> others;
+  for (const auto f : CGAL::make_range(faces(mesh)))
+    (get(is_data, f) ? reading.faces : others).push_back(f);
+  if (!others.empty())
+    set.end_of_data = reading.faces.size();
+  if (reading.faces.empty())
+    reading.status = T_spline_deviation_status::NO_FACES;
+  reading.faces.insert(reading.faces.end(), others.begin(), others.end());
+  for (const auto f : reading.faces) {
     auto h = halfedge(f, mesh);
     std::array<std::size_t, 3> triangle;
     for (std::size_t& corner : triangle) {
@@ -121,15 +143,12 @@ Triangle_reading<TriangleMesh> read_triangle_set(const TriangleMesh& mesh, const
       return reading;
     }
     set.triangles.push_back(triangle);
-    reading.faces.push_back(f);
     for (const auto side : CGAL::halfedges_around_face(h, mesh))
       if (CGAL::is_border(opposite(side, mesh), mesh)) {
         set.border.push_back({get(index, source(side, mesh)), get(index, target(side, mesh))});
         reading.border.push_back(opposite(side, mesh));
       }
   }
-  if (set.triangles.empty())
-    reading.status = T_spline_deviation_status::NO_FACES;
   return reading;
 }
 

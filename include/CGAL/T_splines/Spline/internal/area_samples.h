@@ -39,7 +39,7 @@ inline double affordable_size(const Triangle_set& set, double size, const double
 {
   for (;; size *= 1.25) {
     double number = 0;
-    for (std::size_t i = 0; i < set.triangles.size() && progress.go_on_after(2); ++i) {
+    for (std::size_t i = 0; i < set.number_of_data() && progress.go_on_after(2); ++i) {
       const Triangle_set::Triangle_3 t = set.triangle(i);
       const double length = length_of_longest_side(t) / size;
       // A part has a longest side of half the size or more and, unless the triangle is a needle, half that height. A
