@@ -54,7 +54,7 @@ public:
   Paper_method(const CGAL::T_splines::internal::Metric_input& input, const bool delaunay)
     : m_start(cpu_seconds()),
       m_delaunay(delaunay),
-      m_system(input.component_of_vertex, input.quarter_turns),
+      m_system(input),
       m_component(input.component_of_vertex)
   {
     CGAL::T_splines::internal::Metric_computation<double> computation(input, false);

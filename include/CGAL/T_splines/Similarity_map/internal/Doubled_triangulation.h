@@ -4,11 +4,13 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_DOUBLED_TRIANGULATION_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_DOUBLED_TRIANGULATION_H
 
+#include <CGAL/T_splines/Similarity_map/internal/Mirror_pairs.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
 #include <CGAL/T_splines/internal/mesh_components.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -39,6 +41,24 @@ public:
 
   /// Per vertex of the second sheet, the one that it is the image of.
   const std::vector<Index>& originals() const { return m_original; }
+
+  /// The faces that are images of each other.
+  Mirror_pairs pairs() const
+  {
+    std::vector<Index> image_of_face(m_closed.number_of_faces(), null), image_of_edge(m_closed.number_of_edges(), null);
+    for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
+      if (m_mirrored_face[f] != null) {
+        image_of_face[f] = m_mirrored_face[f];
+        image_of_face[m_mirrored_face[f]] = f;
+      }
+    for (Index e = 0; e < m_mesh.number_of_edges(); ++e)
+      if (m_mirrored_edge[e] != null) {
+        const Index h = halfedge_of_edge(e), g = mirrored_halfedge(h);
+        image_of_edge[e] = g;
+        image_of_edge[edge_of(g)] = is_along_edge(g) ? h : opposite(h);
+      }
+    return Mirror_pairs(std::move(image_of_face), std::move(image_of_edge), m_mesh.number_of_faces());
+  }
 
   /// The image of a closed strip of faces, which turns by the opposite angle.
   std::vector<Index> mirrored(const std::vector<Index>& strip) const

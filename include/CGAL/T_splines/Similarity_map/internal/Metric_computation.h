@@ -61,6 +61,7 @@ struct Metric_computation {
   {
     using std::log;
     structure.mesh = input.mesh;
+    structure.pairs = input.pairs;
     structure.form.assign(input.mesh.number_of_edges(), FT(0));
     structure.log_length.reserve(input.mesh.number_of_edges());
     for (Index e = 0; e < input.mesh.number_of_edges(); ++e)
@@ -83,6 +84,7 @@ struct Metric_computation {
   {
     structure.mesh = other.structure.mesh;
     structure.loops = other.structure.loops;
+    structure.pairs = other.structure.pairs;
     structure.delaunay_edges = other.structure.delaunay_edges;
     structure.delaunay_tolerance =
         static_cast<FT>(other.structure.delaunay_tolerance); // the lengths are no more accurate than they were

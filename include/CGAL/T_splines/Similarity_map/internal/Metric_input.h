@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
 #include <CGAL/T_splines/Similarity_map/internal/Doubled_triangulation.h>
+#include <CGAL/T_splines/Similarity_map/internal/Mirror_pairs.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
@@ -17,11 +18,18 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace T_splines {
 namespace internal {
+
+/// What the coefficient of a loop of a double is on symmetric metrics: `sign` times that of the loop `original`, which may
+/// be the loop itself. The sign is 0 where the coefficient vanishes.
+struct Folded_loop {
+  int original, sign;
+};
 
 /// What a similarity metric is computed from, in indices: of a mesh with border the double, with the numbers that are
 /// symmetric. What is on the first sheet, the mesh itself, comes first.
@@ -32,6 +40,8 @@ struct Metric_input {
   std::vector<std::vector<int>> loops; ///< of the signature, then its arcs doubled, then what the border adds
   std::vector<int> quarter_turns;      ///< per vertex, then per loop
   std::vector<int> original_vertex;    ///< per vertex, on the first sheet
+  Mirror_pairs pairs;                  ///< of the faces; empty if there is no second sheet
+  std::vector<Folded_loop> folding;    ///< per loop; empty if there is no second sheet
   int number_of_vertices = 0,          ///< on the first sheet
       number_of_edges = 0,             ///< on the first sheet
       number_of_faces = 0;             ///< on the first sheet
@@ -99,27 +109,36 @@ private:
     return result;
   }
 
+  void add_loop(std::vector<int> loop, const int original, const int sign)
+  {
+    loops.push_back(std::move(loop));
+    folding.push_back({original, sign});
+  }
+
   // A double of genus 2g + b - 1 has these loops: the 2g of the surface; the arcs doubled; the mirror images of the
-  // former; and all curves of the border but one, pushed inside, whose numbers follow from the corners.
+  // former; and all curves of the border but one, pushed inside, whose numbers follow from the corners. The latter are
+  // homologous to their mirror images: there is no scale factor along what they cross.
   template <typename TriangleMesh>
   void make_double(const Mesh_indexing<TriangleMesh>& indexing, const Mesh_components& components,
                    const Holonomy_signature<TriangleMesh>& signature, std::vector<int>& loop_turns)
   {
     const Doubled_triangulation doubled(mesh, components);
+    for (std::size_t i = 0; i < number_of_loops; ++i)
+      folding.push_back({static_cast<int>(i), 1});
     for (const auto& arc : signature.arcs()) {
-      loops.push_back(doubled.doubled(indices_of(indexing, arc.halfedges)));
+      add_loop(doubled.doubled(indices_of(indexing, arc.halfedges)), static_cast<int>(loops.size()), 1);
       loop_turns.push_back(2 * arc.quarter_turns);
     }
     for (std::size_t i = 0; i < number_of_loops; ++i)
       if (components.has_border(components.of_face[mesh.face(loops[i].front())])) {
-        loops.push_back(doubled.mirrored(loops[i]));
+        add_loop(doubled.mirrored(loops[i]), static_cast<int>(i), -1);
         loop_turns.push_back(-loop_turns[i]);
       }
     std::vector<char> has_curve(components.size(), 0);
     for (const std::vector<int>& curve : border_curves(mesh)) {
       char& is_not_first = has_curve[components.of_vertex[mesh.target(curve.front())]];
       if (is_not_first) {
-        loops.push_back(strip_along_border(mesh, curve));
+        add_loop(strip_along_border(mesh, curve), static_cast<int>(loops.size()), 0);
         int turns = 0;
         for (const int h : curve)
           turns += 2 - quarter_turns[mesh.target(h)] / 2;
@@ -133,6 +152,7 @@ private:
       component_of_vertex.push_back(component_of_vertex[v]);
       quarter_turns.push_back(quarter_turns[v]);
     }
+    pairs = doubled.pairs();
     mesh = doubled.closed();
   }
 };

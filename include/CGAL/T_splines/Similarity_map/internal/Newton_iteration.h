@@ -263,6 +263,7 @@ private:
     m_flipped.clear();
     for (const Index h : degeneracy.triangles)
       if (m_structure.mesh.face(h) != m_structure.mesh.face(opposite(h)) && !flipped_already(h)) {
+        m_structure.part(h);
         m_structure.flip_euclidean(h);
         ++m_record.flips;
       }

@@ -4,6 +4,7 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_NEWTON_SYSTEM_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_NEWTON_SYSTEM_H
 
+#include <CGAL/T_splines/Similarity_map/internal/Metric_input.h>
 #include <CGAL/T_splines/Similarity_map/internal/Similarity_structure.h>
 #include <CGAL/T_splines/Solver/Symmetric_sparse_matrix.h>
 #include <CGAL/T_splines/internal/Progress.h>
@@ -26,6 +27,10 @@ namespace internal {
 /// the prescribed minus the present angle at each vertex, and the present minus the prescribed turning of each loop;
 /// the Hessian is [d eta]^T * [d eta] with the cotangent Hodge star ([CZ17] eq. (6), (7) in a symmetric form). On each
 /// connected component, phi is determined up to a constant: one vertex is left out of the rows.
+///
+/// On a double, the metric is symmetric, P x with one unknown x for an element and its image: the Hessian is P^T H P, and
+/// the gradient P^T g. The g of an element stands for that of its image, from which it differs by round-off: so it is
+/// met as exactly as on a closed surface by what is on the first sheet, and `residual()` is the largest there.
 template <typename FT_>
 class Newton_system {
 public:
@@ -33,29 +38,30 @@ public:
   using Index = Triangulation_connectivity::Index;
   using Structure = Similarity_structure<FT>;
 
-  /// \param component_of_vertex numbers of connected components from 0
-  /// \param quarter_turns prescribed numbers per vertex, then per loop
-  Newton_system(std::vector<int> component_of_vertex, const std::vector<int>& quarter_turns)
-    : m_component(std::move(component_of_vertex)),
-      m_row(quarter_turns.size(), pinned),
-      m_target(quarter_turns.size())
+  explicit Newton_system(const Metric_input& input)
+    : m_component(input.component_of_vertex),
+      m_row(input.quarter_turns.size(), pinned),
+      m_sign(input.quarter_turns.size(), 1),
+      m_multiplicity(input.quarter_turns.size(), 1),
+      m_target(input.quarter_turns.size())
   {
     using std::atan2;
     const FT quarter = 2 * atan2(FT(1), FT(1));
-    for (std::size_t i = 0; i < quarter_turns.size(); ++i)
-      m_target[i] = quarter_turns[i] * quarter;
+    for (std::size_t i = 0; i < m_target.size(); ++i)
+      m_target[i] = input.quarter_turns[i] * quarter;
     std::vector<char> has_pin;
     for (std::size_t v = 0; v < m_component.size(); ++v) {
       const std::size_t component = m_component[v];
       if (component >= has_pin.size())
         has_pin.resize(component + 1, 0);
-      if (has_pin[component])
-        m_row[v] = m_number_of_rows++;
+      add_unknown(v, input.original_vertex[v], 1, has_pin[component] != 0);
       has_pin[component] = 1;
     }
     m_number_of_components = has_pin.size();
-    for (std::size_t i = m_component.size(); i < m_row.size(); ++i)
-      m_row[i] = m_number_of_rows++;
+    for (std::size_t j = 0; j < input.loops.size(); ++j) {
+      const Folded_loop loop = input.folding.empty() ? Folded_loop{static_cast<int>(j), 1} : input.folding[j];
+      add_unknown(m_component.size() + j, m_component.size() + loop.original, loop.sign, true);
+    }
     m_gradient = m_target;
   }
 
@@ -69,13 +75,15 @@ public:
     return has_triangles_only();
   }
 
-  /// evaluates the angles of all triangles. \return `false` if `progress` is interrupted.
+  /// evaluates the angles of all triangles, once for two that are images of each other. \return `false` if `progress` is interrupted.
   bool measure(const Structure& structure, Progress& progress)
   {
     m_angle.resize(structure.mesh.number_of_halfedges());
     m_cotangent.resize(structure.mesh.number_of_halfedges());
     m_is_triangle.resize(structure.mesh.number_of_faces());
     for (Index f = 0; f < structure.mesh.number_of_faces(); ++f) {
+      if (structure.pairs.is_image(f))
+        continue;
       if (!progress.go_on_after(work_per_triangle))
         return false;
       measure(structure, f);
@@ -83,7 +91,7 @@ public:
     return true;
   }
 
-  /// evaluates the angles of the triangle `f` anew.
+  /// evaluates the angles of the triangle `f` anew, and those of its image. \pre `f` is no image itself
   void measure(const Structure& structure, const Index f)
   {
     Index h = structure.mesh.halfedge_of_face(f);
@@ -92,6 +100,14 @@ public:
     for (int i = 0; i < 3; ++i, h = structure.mesh.next(h)) {
       m_angle[h] = angles.angle[i];
       m_cotangent[h] = angles.cotangent[i];
+    }
+    if (structure.pairs.has_image(f)) {
+      m_is_triangle[structure.pairs.image_of_face(f)] = m_is_triangle[f];
+      for (int i = 0; i < 3; ++i, h = structure.mesh.next(h)) {
+        const Index image = structure.pairs.image(h);
+        m_angle[image] = m_angle[h];
+        m_cotangent[image] = m_cotangent[h];
+      }
     }
   }
 
@@ -128,16 +144,16 @@ public:
           gradient -= m_angle[mesh.previous(h)];
       });
     }
-    m_worst = 0;
+    m_worst = 0; // a vertex of the first sheet
     for (std::size_t i = 0; i < m_gradient.size(); ++i)
-      if (!(absolute(m_gradient[i]) <= absolute(m_gradient[m_worst])))
+      if (m_multiplicity[i] != 0 && !(absolute(m_gradient[i]) <= absolute(m_gradient[m_worst])))
         m_worst = i;
   }
 
   /// Prescribed minus present angle per vertex, then present minus prescribed turning per loop, of the last evaluation.
   const std::vector<FT>& gradient() const { return m_gradient; }
 
-  /// The unknown at which the gradient is largest, and its absolute value there.
+  /// The unknown at which the gradient is largest, and its absolute value there; of a double, on the first sheet.
   std::size_t worst() const { return m_worst; }
   FT residual() const { return absolute(m_gradient[m_worst]); }
 
@@ -161,15 +177,16 @@ public:
     std::vector<FT> sum(m_number_of_components, FT(0));
     std::vector<int> count(m_number_of_components, 0);
     for (std::size_t v = 0; v < m_component.size(); ++v) {
-      sum[m_component[v]] += m_gradient[v];
-      ++count[m_component[v]];
+      sum[m_component[v]] += m_multiplicity[v] * m_gradient[v];
+      count[m_component[v]] += m_multiplicity[v];
     }
     for (std::size_t c = 0; c < m_number_of_components; ++c)
       sum[c] /= count[c];
     std::vector<double> result(m_number_of_rows);
     for (std::size_t i = 0; i < m_row.size(); ++i)
-      if (m_row[i] != pinned)
+      if (m_row[i] != pinned && m_multiplicity[i] != 0)
         result[m_row[i]] =
+            m_multiplicity[i] *
             static_cast<double>(i < m_component.size() ? FT(sum[m_component[i]] - m_gradient[i]) : FT(-m_gradient[i]));
     return result;
   }
@@ -180,7 +197,7 @@ public:
     std::vector<double> result(m_row.size(), 0.);
     for (std::size_t i = 0; i < m_row.size(); ++i)
       if (m_row[i] != pinned)
-        result[i] = solution[m_row[i]];
+        result[i] = m_sign[i] * solution[m_row[i]];
     return result;
   }
 
@@ -192,11 +209,15 @@ public:
     m_loop_terms.clear();
     for (Index e = 0; e < mesh.number_of_edges(); ++e) {
       const auto [h, g] = halfedges_of_edge(e);
+      if (structure.pairs.is_image_edge(mesh, e))
+        continue;
       // Not negative on a Delaunay triangulation; on others, negative weights belong to the Hessian, which is
       // semidefinite all the same.
       const double cotangents = (m_cotangent[h] + m_cotangent[g]) / 2;
       const double weight = std::abs(cotangents) < least_weight ? least_weight : cotangents;
-      Edge_term term{weight, m_row[mesh.source(h)], m_row[mesh.target(h)], static_cast<int>(m_loop_terms.size()), 0};
+      const int multiplicity = structure.pairs.has_image_edge(mesh, e) ? 2 : 1;
+      Edge_term term{multiplicity * weight, m_row[mesh.source(h)], m_row[mesh.target(h)],
+                     static_cast<int>(m_loop_terms.size()), 0};
       if (structure.loops.has_passages(e))
         add_loop_terms(structure, e);
       term.loops_end = static_cast<int>(m_loop_terms.size());
@@ -264,6 +285,21 @@ private:
     int loops_begin, loops_end; // in m_loop_terms
   };
 
+  // Gives unknown i its row, or none if it is pinned or vanishes.
+  void add_unknown(const std::size_t i, const std::size_t original, const int sign, const bool has_row)
+  {
+    m_sign[i] = sign;
+    if (original != i) {
+      m_row[i] = m_row[original];
+      m_multiplicity[i] = 0;
+      m_multiplicity[original] = 2;
+    }
+    else if (sign == 0)
+      m_multiplicity[i] = 0;
+    else if (has_row)
+      m_row[i] = m_number_of_rows++;
+  }
+
   static FT absolute(const FT& x) { return x < 0 ? FT(-x) : x; }
 
   // Adds up the passages of each loop over edge e.
@@ -271,13 +307,15 @@ private:
   {
     const std::size_t begin = m_loop_terms.size();
     structure.loops.for_each_passage(e, [&](const int loop, const int sign) {
-      const int row = m_row[m_component.size() + loop];
+      const int row = m_row[m_component.size() + loop], value = sign * m_sign[m_component.size() + loop];
+      if (row == pinned)
+        return;
       const auto same = std::find_if(m_loop_terms.begin() + static_cast<std::ptrdiff_t>(begin), m_loop_terms.end(),
                                      [row](const std::pair<int, double>& term) { return term.first == row; });
       if (same == m_loop_terms.end())
-        m_loop_terms.emplace_back(row, sign);
+        m_loop_terms.emplace_back(row, value);
       else
-        same->second += sign;
+        same->second += value;
     });
     m_loop_terms.erase(std::remove_if(m_loop_terms.begin() + static_cast<std::ptrdiff_t>(begin), m_loop_terms.end(),
                                       [](const std::pair<int, double>& term) { return term.second == 0; }),
@@ -317,9 +355,11 @@ private:
     return result;
   }
 
-  std::vector<int> m_component; // per vertex
-  std::vector<int> m_row;       // per unknown
-  std::vector<FT> m_target;     // per unknown
+  std::vector<int> m_component;    // per vertex
+  std::vector<int> m_row;          // per unknown: that of an image is the row of its original
+  std::vector<int> m_sign;         // per unknown: what it is times the value of its row
+  std::vector<int> m_multiplicity; // per unknown: 2 if it has an image, 0 if it is one or vanishes
+  std::vector<FT> m_target;        // per unknown
   int m_number_of_rows = 0;
   std::size_t m_number_of_components = 0;
 

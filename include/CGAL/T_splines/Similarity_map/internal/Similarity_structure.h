@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_SIMILARITY_STRUCTURE_H
 
 #include <CGAL/T_splines/Similarity_map/internal/Dual_loops.h>
+#include <CGAL/T_splines/Similarity_map/internal/Mirror_pairs.h>
 #include <CGAL/T_splines/Similarity_map/internal/Normal_coordinates.h>
 #include <CGAL/T_splines/Similarity_map/internal/Triangle_angles.h>
 #include <CGAL/T_splines/internal/Progress.h>
@@ -44,6 +45,7 @@ struct Similarity_structure {
   std::vector<FT> log_length; ///< lambda per edge
   std::vector<FT> form;       ///< xi of the halfedge 2e, per edge e
   Dual_loops loops;
+  Mirror_pairs pairs;                ///< of a double: faces whose numbers are the same, and those of their sides
   Normal_coordinates delaunay_edges; ///< of the triangulation that the iteration starts from; empty if not wanted
   FT delaunay_tolerance =
       32 * std::numeric_limits<FT>::epsilon(); ///< relative, of the Delaunay test: the round-off of the lengths
@@ -60,7 +62,8 @@ struct Similarity_structure {
             FT(log_length[edge_of(k)] + (xi_j - xi_h) / 6)};
   }
 
-  /// sets xi = d phi + sum_j c_j eta_j. The coefficients are phi at the vertices, then c.
+  /// sets xi = d phi + sum_j c_j eta_j. The coefficients are phi at the vertices, then c. \pre Those of a double are
+  /// symmetric.
   void set_form(const std::vector<FT>& coefficients)
   {
     const Index number_of_vertices = mesh.number_of_vertices();
@@ -73,6 +76,9 @@ struct Similarity_structure {
           form[e] -= coefficients[number_of_vertices + loop];
       });
     }
+    for (Index e = 0; e < mesh.number_of_edges() && !pairs.is_empty(); ++e)
+      if (loops.has_passages(e) && pairs.is_image_edge(mesh, e)) // the round-off of sums is no other there
+        copy_form(pairs.image(halfedge_of_edge(e)), halfedge_of_edge(e));
   }
 
   /// Whether the edge is Delaunay in the scaled metric: the cosines of the two angles opposite to it have a sum of at
@@ -123,7 +129,33 @@ struct Similarity_structure {
     flip_topology(h);
   }
 
+  /// flips the edge of `g`, which was the image of `h` before the edge of `h` was flipped.
+  void flip_image(const Index h, const Index g)
+  {
+    log_length[edge_of(g)] = log_length[edge_of(h)];
+    if (!log_penner.empty())
+      log_penner[edge_of(g)] = log_penner[edge_of(h)];
+    flip_topology(g);
+    pairs.exchange_sides(mesh, h, g);
+    copy_form(h, opposite(g));
+  }
+
+  /// parts the two faces of the edge of `h` from their images.
+  void part(const Index h)
+  {
+    for (const Index k : {h, opposite(h)})
+      if (pairs.has_image(mesh.face(k)))
+        pairs.part(mesh.face(k));
+  }
+
 private:
+  // From a halfedge to its image, which runs the other way.
+  void copy_form(const Index h, const Index image)
+  {
+    const FT xi = -form_of(h);
+    form[edge_of(image)] = is_along_edge(image) ? xi : FT(-xi);
+  }
+
   FT ptolemy(const std::vector<FT>& lambda, const Index h) const
   {
     using std::exp;
@@ -150,9 +182,10 @@ private:
   }
 };
 
-/// flips edges that are not Delaunay until there is none or `maximum` flips have been made.
+/// flips edges that are not Delaunay until there is none or `maximum` flips have been made. Edges of a double that are
+/// images of others are not tested, but flipped with these.
 /// \param is_clearly_delaunay called with an edge before the first flip: `true` if it need not be tested
-/// \param flip called with a halfedge; it returns `false` to give up
+/// \param flip called with a halfedge, not for images; it returns `false` to give up
 /// \return the number of flips, or `maximum + 1` if that is not enough.
 template <typename FT, typename IsClearlyDelaunay, typename Flip>
 std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::size_t maximum,
@@ -160,13 +193,18 @@ std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::siz
 {
   using Index = typename Similarity_structure<FT>::Index;
   const Triangulation_connectivity& mesh = structure.mesh;
-  std::vector<Index> stack;
+  const Mirror_pairs& pairs = structure.pairs;
+  std::vector<Index> stack, sides;
   std::vector<char> is_on_stack(mesh.number_of_edges(), 0);
   for (Index e = mesh.number_of_edges() - 1; e >= 0; --e)
-    if (!is_clearly_delaunay(e) && !structure.is_delaunay(e)) {
+    if (!is_clearly_delaunay(e) && !pairs.is_image_edge(mesh, e) && !structure.is_delaunay(e)) {
       stack.push_back(e);
       is_on_stack[e] = 1;
     }
+  const auto add_sides = [&](const Index f) {
+    const Index h = mesh.halfedge_of_face(f);
+    sides.insert(sides.end(), {h, mesh.next(h), mesh.previous(h)});
+  };
   std::size_t flips = 0;
   while (!stack.empty()) {
     const Index e = stack.back();
@@ -174,18 +212,32 @@ std::size_t flip_to_delaunay(Similarity_structure<FT>& structure, const std::siz
     is_on_stack[e] = 0;
     if (structure.is_delaunay(e))
       continue;
-    if (flips == maximum)
+    const bool has_image = pairs.has_image_edge(mesh, e);
+    if (flips + (has_image ? 2 : 1) > maximum)
       return maximum + 1;
     const auto [h, g] = halfedges_of_edge(e);
-    const std::array<Index, 4> sides = {mesh.next(h), mesh.previous(h), mesh.next(g), mesh.previous(g)};
+    sides.assign({mesh.next(h), mesh.previous(h), mesh.next(g), mesh.previous(g)});
+    const Index image = has_image ? pairs.image(h) : Triangulation_connectivity::null;
+    if (!pairs.is_empty())
+      for (const Index k : {h, g})
+        if (pairs.has_image(mesh.face(k))) // its sides were not tested, or will not be its images any more
+          add_sides(pairs.image_of_face(mesh.face(k)));
+    if (!has_image)
+      structure.part(h);
     if (!flip(h))
       return maximum + 1;
     ++flips;
-    for (const Index side : sides)
-      if (!is_on_stack[edge_of(side)]) {
-        is_on_stack[edge_of(side)] = 1;
-        stack.push_back(edge_of(side));
+    if (has_image) {
+      structure.flip_image(h, image);
+      ++flips;
+    }
+    for (const Index side : sides) {
+      const Index s = edge_of(side);
+      if (!is_on_stack[s] && s != e && (!has_image || s != edge_of(image)) && !pairs.is_image_edge(mesh, s)) {
+        is_on_stack[s] = 1;
+        stack.push_back(s);
       }
+    }
   }
   return flips;
 }

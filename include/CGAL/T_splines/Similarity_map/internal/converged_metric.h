@@ -68,7 +68,7 @@ sharpened(const Metric_computation<double>& computation, const Metric_input& inp
 {
   using FT = Layout_number_type<double>;
   Metric_computation<FT> sharp(computation);
-  Newton_system<FT> system(input.component_of_vertex, input.quarter_turns);
+  Newton_system<FT> system(input);
   Newton_limits limits;
   limits.tolerance = 1e-17; // two digits above the unit of rounding of long double
   limits.number_of_iterations = computation.record.iterations + 1;
@@ -126,7 +126,7 @@ private:
   template <typename FT>
   void iterate(Metric_computation<FT>& computation, Report& report) const
   {
-    Newton_system<FT> system(input.component_of_vertex, input.quarter_turns);
+    Newton_system<FT> system(input);
     computation.iterate(system, policy, solver, progress, limits);
     fill_report(computation, system, input, indexing, report);
     if (report.success()) {
