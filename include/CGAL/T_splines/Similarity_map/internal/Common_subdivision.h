@@ -9,7 +9,9 @@
 #include <CGAL/T_splines/Similarity_map/internal/Edge_crossings.h>
 #include <CGAL/T_splines/Similarity_map/internal/Flat_layout.h>
 #include <CGAL/T_splines/Similarity_map/internal/Refined_triangulation.h>
+#include <CGAL/T_splines/Similarity_map/internal/Subdivided_part.h>
 #include <CGAL/T_splines/Similarity_map/internal/Subdivision_nodes.h>
+#include <CGAL/T_splines/Similarity_map/internal/Subdivision_triangles.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
@@ -21,8 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -44,19 +44,21 @@ class Common_subdivision {
 public:
   /// \param points of the input's vertices
   /// \param form xi on the final triangulation, of the halfedge 2e per edge e
+  /// \param part what is subdivided
   /// \param most_nodes where there would be more, the subdivision is left unfinished
   /// \param progress if it is interrupted, the same
   Common_subdivision(const Triangulation_connectivity& input, const std::vector<std::array<double, 3>>& points,
                      const Triangulation_connectivity& middle, const Triangulation_connectivity& last,
                      const Input_crossings<FT>& input_crossings, const Final_crossings<FT>& final_crossings,
-                     const std::vector<FT>& form, const Flat_layout<FT>& layout, const std::int64_t most_nodes,
-                     Progress& progress)
+                     const std::vector<FT>& form, const Flat_layout<FT>& layout, const Subdivided_part& part,
+                     const std::int64_t most_nodes, Progress& progress)
     : m_input(input),
       m_middle(middle),
       m_last(last),
       m_on_input(input_crossings),
       m_on_final(final_crossings),
       m_layout(layout),
+      m_part(part),
       m_nodes(input, points, middle, last, input_crossings, final_crossings, form, layout)
   {
     progress.progress(0.2);
@@ -75,7 +77,8 @@ public:
         return;
       if (!progress.go_on_after(20 + 20 * static_cast<std::size_t>(first_chords + second_chords)))
         return;
-      subdivide(f);
+      if (meets_part(f))
+        subdivide(f);
     }
     if (!progress.go_on())
       return;
@@ -84,21 +87,17 @@ public:
     m_result.place = std::move(m_nodes.places());
     m_first_chords = m_second_chords = {}; // their memory is wanted
     progress.progress(0.7);
-    connect(progress);
+    m_triangles.connect(input.number_of_edges(), m_result, progress);
   }
 
   /// Whether the subdivision was made; else it would have too many nodes.
   bool is_complete() const { return m_is_complete; }
+
+  /// The triangulation. Of a double, the triangles on the first sheet: edges on its border have no face on the side of the
+  /// odd halfedge, which has no successor yet, and there are vertices without triangle.
   Refined_triangulation& result() { return m_result; }
 
 private:
-  struct Triangle {
-    std::array<int, 3> node;
-    std::array<std::array<double, 2>, 3> uv;           // of the nodes
-    std::array<int, 3> input_halfedge, final_halfedge; // of the side from node i to node i + 1
-    int input_face;
-  };
-
   // Slot of the point with the given rank on its edge, on the side h of that edge.
   int slot(const int h, const int rank) const
   {
@@ -126,23 +125,41 @@ private:
     sort_by_face(second, m_second_begin, m_second_chords);
   }
 
+  // Whether part of the middle face is on the first sheet: an input edge of that sheet runs through it or, if it is an
+  // input face, is a side.
+  bool meets_part(const int f) const
+  {
+    if (!m_part.has_middle_face(f))
+      return false;
+    if (m_first_begin[f] != m_first_begin[f + 1])
+      return true;
+    const int on_input = m_on_input.input_halfedge(m_middle.halfedge_of_face(f));
+    return on_input != none && m_part.has_input_face(m_input.face(on_input));
+  }
+
+  // A final edge crosses the sides of a middle face that is looked at in known points.
   void collect_final_chords(const int e, std::vector<std::pair<int, Triangle_chord>>& chords) const
   {
     const int begin = m_on_final.begin_on_final(e), end = m_on_final.begin_on_final(e + 1);
     int from = none, from_slot = 0;
     for (int i = begin; i < end; ++i) {
-      const int number = m_on_final.point_on_final(i), middle_edge = m_on_final.middle_edge(number),
-                rank = m_nodes.rank_of_final(number);
+      const int number = m_on_final.point_on_final(i);
+      if (number == none) {
+        from = none;
+        continue;
+      }
+      const int middle_edge = m_on_final.middle_edge(number), rank = m_nodes.rank_of_final(number);
       // Followed from the source of 2e, the final edge enters the face of this middle halfedge:
       const int entered = halfedges_of_edge(middle_edge)[side_of_edge(m_on_final.point(number).final_halfedge)];
       const int exit = opposite(entered);
       if (i == begin)
         from = m_middle.previous(exit); // the corner opposite to the side by which the first triangle is left
-      chords.push_back({m_middle.face(exit), {from, from_slot, exit, slot(exit, rank), halfedge_of_edge(e)}});
+      if (m_part.has_middle_face(m_middle.face(exit)))
+        chords.push_back({m_middle.face(exit), {from, from_slot, exit, slot(exit, rank), halfedge_of_edge(e)}});
       from = entered;
       from_slot = slot(entered, rank);
     }
-    if (begin != end)
+    if (from != none && m_part.has_middle_face(m_middle.face(from)))
       chords.push_back({m_middle.face(from), {from, from_slot, m_middle.previous(from), 0, halfedge_of_edge(e)}});
   }
 
@@ -213,7 +230,7 @@ private:
   // A middle triangle without chords is a triangle of the input and of the final triangulation.
   void copy_triangle(const int f)
   {
-    Triangle triangle;
+    Subdivision_triangles::Triangle triangle;
     int h = m_middle.halfedge_of_face(f);
     for (int i = 0; i < 3; ++i, h = m_middle.next(h)) {
       const int on_final = m_on_final.final_halfedge(h);
@@ -223,7 +240,7 @@ private:
       triangle.final_halfedge[i] = on_final;
     }
     triangle.input_face = m_input.face(triangle.input_halfedge[0]);
-    m_triangles.push_back(triangle);
+    m_triangles.add(triangle);
   }
 
   // Barycentric coordinates, in the middle triangle, of a boundary position: of the sources of side 1 and side 2.
@@ -347,6 +364,8 @@ private:
 
   void triangulate(const std::size_t c)
   {
+    if (!m_part.has_input_face(m_cell_input_face[c]))
+      return;
     const int begin = m_cell_begin[c], end = m_cell_begin[c + 1];
     m_cell.clear();
     for (int i = begin; i < end; ++i) {
@@ -363,11 +382,11 @@ private:
     m_cell.set_plane(m_nodes.point(m_input.source(h)), m_nodes.point(m_input.target(h)),
                      m_nodes.point(m_input.target(m_input.next(h))));
     m_cell.triangulate([&](const Convex_cell::Corner& p, const Convex_cell::Corner& q, const Convex_cell::Corner& r) {
-      m_triangles.push_back({{p.node, q.node, r.node},
-                             {p.uv, q.uv, r.uv},
-                             {p.input_halfedge, q.input_halfedge, r.input_halfedge},
-                             {p.final_halfedge, q.final_halfedge, r.final_halfedge},
-                             m_cell_input_face[c]});
+      m_triangles.add({{p.node, q.node, r.node},
+                       {p.uv, q.uv, r.uv},
+                       {p.input_halfedge, q.input_halfedge, r.input_halfedge},
+                       {p.final_halfedge, q.final_halfedge, r.final_halfedge},
+                       m_cell_input_face[c]});
     });
   }
 
@@ -386,83 +405,18 @@ private:
     return final_halfedge(clockwise);
   }
 
-  // A side of a triangle, and what it shares with the triangle on its other side: its nodes, and the input edge or face
-  // in which it lies. Its nodes alone do not tell, where two input edges join the same two vertices.
-  struct Side {
-    std::uint64_t nodes;
-    int place, number;
-
-    bool operator<(const Side& other) const
-    {
-      return std::tie(nodes, place, number) < std::tie(other.nodes, other.place, other.number);
-    }
-  };
-
-  Side side_of_triangle(const int i) const
-  {
-    const Triangle& triangle = m_triangles[i / 3];
-    const std::uint64_t a = triangle.node[i % 3], b = triangle.node[(i + 1) % 3];
-    const int on_input = triangle.input_halfedge[i % 3];
-    return {(std::min(a, b) << 32) | std::max(a, b),
-            on_input != none ? edge_of(on_input) : m_input.number_of_edges() + triangle.input_face, i};
-  }
-
-  // Makes the connectivity of the triangles: their sides are straight in the input's faces.
-  void connect(Progress& progress)
-  {
-    const int number_of_triangles = static_cast<int>(m_triangles.size());
-    std::vector<Side> sides(3 * m_triangles.size());
-    for (int i = 0; i < 3 * number_of_triangles; ++i)
-      sides[i] = side_of_triangle(i);
-    if (!progress.go_on())
-      return;
-    std::sort(sides.begin(), sides.end());
-    if (!progress.go_on())
-      return;
-    std::vector<int> halfedge(sides.size());
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      CGAL_assertion(sides[i].nodes == sides[i ^ 1].nodes && sides[i].place == sides[i ^ 1].place);
-      halfedge[sides[i].number] = static_cast<int>(i);
-    }
-    sides = {};
-    Triangulation_connectivity& mesh = m_result.mesh;
-    mesh.m_number_of_vertices = static_cast<int>(m_result.point.size());
-    mesh.m_next.resize(halfedge.size());
-    mesh.m_target.resize(halfedge.size());
-    mesh.m_face.resize(halfedge.size());
-    mesh.m_face_halfedge.resize(m_triangles.size());
-    m_result.uv.resize(halfedge.size());
-    m_result.input_halfedge.resize(halfedge.size());
-    m_result.final_halfedge.resize(halfedge.size());
-    m_result.input_face.resize(m_triangles.size());
-    for (int f = 0; f < number_of_triangles; ++f) {
-      const Triangle& triangle = m_triangles[f];
-      for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3, h = halfedge[3 * f + i];
-        mesh.m_next[h] = halfedge[3 * f + j];
-        mesh.m_target[h] = triangle.node[j];
-        mesh.m_face[h] = f;
-        m_result.uv[h] = triangle.uv[j];
-        m_result.input_halfedge[h] = triangle.input_halfedge[i];
-        m_result.final_halfedge[h] = triangle.final_halfedge[i];
-      }
-      mesh.m_face_halfedge[f] = halfedge[3 * f];
-      m_result.input_face[f] = triangle.input_face;
-    }
-    m_triangles = {};
-  }
-
   const Triangulation_connectivity &m_input, &m_middle, &m_last;
   const Input_crossings<FT>& m_on_input;
   const Final_crossings<FT>& m_on_final;
   const Flat_layout<FT>& m_layout;
+  const Subdivided_part& m_part;
   bool m_is_complete = false;
   Refined_triangulation m_result;
 
   Subdivision_nodes<FT> m_nodes;
   std::vector<int> m_first_begin, m_second_begin; // per middle face
   std::vector<Triangle_chord> m_first_chords, m_second_chords;
-  std::vector<Triangle> m_triangles;
+  Subdivision_triangles m_triangles;
 
   // of one middle face
   Chord_arrangement m_arrangement;

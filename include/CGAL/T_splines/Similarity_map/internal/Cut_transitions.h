@@ -36,7 +36,8 @@ public:
       m_branch(mesh.number_of_edges(), -1),
       m_is_along(mesh.number_of_edges(), 1)
   {
-    // An inner vertex of a branch knows the halfedge of its other cut edge by that of the first.
+    // An inner vertex of a branch knows the halfedge of its other cut edge by that of the first. Edges towards faces that
+    // are not laid out end branches, but belong to none.
     std::vector<std::vector<Index>> cut_halfedges(mesh.number_of_vertices());
     for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
       if (layout.is_cut(edge_of(h)))
@@ -58,7 +59,7 @@ public:
     };
     for (const bool closed : {false, true})
       for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
-        if (layout.is_cut(edge_of(h)) && m_branch[edge_of(h)] == -1 && (closed || !is_inner(mesh.source(h))))
+        if (layout.is_cut_inside(edge_of(h)) && m_branch[edge_of(h)] == -1 && (closed || !is_inner(mesh.source(h))))
           follow(h);
   }
 

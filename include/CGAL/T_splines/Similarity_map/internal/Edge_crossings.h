@@ -6,6 +6,7 @@
 
 #include <CGAL/T_splines/Similarity_map/internal/Flat_layout.h>
 #include <CGAL/T_splines/Similarity_map/internal/Normal_coordinates.h>
+#include <CGAL/T_splines/Similarity_map/internal/Subdivided_part.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
@@ -78,9 +79,11 @@ public:
 
   /// \param coordinates of the input edges on the middle triangulation; empty if the two are the same
   /// \param length of the input's edges
+  /// \param part what is looked at: middle edges that are not have no points, input edges no curves
   /// \param progress if it is interrupted, the crossings may not be used
   Input_crossings(const Triangulation_connectivity& input, const Triangulation_connectivity& middle,
-                  const Normal_coordinates& coordinates, const std::vector<FT>& length, Progress& progress)
+                  const Normal_coordinates& coordinates, const std::vector<FT>& length, const Subdivided_part& part,
+                  Progress& progress)
     : m_begin(middle.number_of_edges() + 1, 0),
       m_input_of_middle(middle.number_of_halfedges(), Triangulation_connectivity::null)
   {
@@ -90,9 +93,10 @@ public:
       return;
     }
     for (int e = 0; e < middle.number_of_edges(); ++e)
-      m_begin[e + 1] = m_begin[e] + static_cast<int>(coordinates.number_of_crossings(e));
+      m_begin[e + 1] =
+          m_begin[e] + (part.has_middle_edge(e) ? static_cast<int>(coordinates.number_of_crossings(e)) : 0);
     m_points.resize(m_begin.back());
-    trace(input, middle, coordinates);
+    trace(input, middle, coordinates, part);
     for (int e = 0; e < middle.number_of_edges(); ++e)
       if (m_begin[e] != m_begin[e + 1] && progress.go_on_after(10 * (m_begin[e + 1] - m_begin[e])))
         locate(input, length, e);
@@ -108,7 +112,7 @@ public:
 
 private:
   void trace(const Triangulation_connectivity& input, const Triangulation_connectivity& middle,
-             const Normal_coordinates& coordinates)
+             const Normal_coordinates& coordinates, const Subdivided_part& part)
   {
     const Halfedge_by_number input_halfedge(input);
     coordinates.for_each_reference_halfedge(
@@ -120,6 +124,8 @@ private:
           Curve curve{h, traced.first_corner, traced.last_corner, {}, {}};
           for (const Normal_coordinates::Crossing& crossing : traced.crossings) {
             const int exit = crossing.halfedge, e = edge_of(exit);
+            if (!part.has_middle_edge(e)) // the input edge is on the second sheet
+              continue;
             const int from_source = static_cast<int>(crossing.position);
             const int i = is_along_edge(exit) ? m_begin[e] + from_source : m_begin[e + 1] - 1 - from_source;
             // The curve leaves by `exit` to its right: `exit` crosses the curve from its right to its left, into the
@@ -128,7 +134,8 @@ private:
             curve.exits.push_back(exit);
             curve.points.push_back(i);
           }
-          m_curves.push_back(std::move(curve));
+          if (part.has_input_edge(edge_of(h)))
+            m_curves.push_back(std::move(curve));
         },
         [&](const int v, const int k, const int h) { m_input_of_middle[h] = input_halfedge(v, k); });
   }
@@ -200,6 +207,8 @@ private:
 template <typename FT>
 class Final_crossings {
 public:
+  static constexpr int none = -1;
+
   struct Point {
     FT t; ///< place on the middle edge e, in the Euclidean metric: 0 at the source of halfedge 2e, 1 at the target
     int final_halfedge;              ///< it crosses the halfedge 2e from its right to its left
@@ -208,43 +217,48 @@ public:
 
   /// \param coordinates of the middle edges on the final triangulation
   /// \param log_length Penner's coordinates on the final triangulation
+  /// \param part what is looked at: other middle and final edges have no points
   /// \param progress if it is interrupted, the crossings may not be used
   Final_crossings(const Triangulation_connectivity& middle, const Triangulation_connectivity& last,
-                  const Normal_coordinates& coordinates, const std::vector<FT>& log_length, Progress& progress)
+                  const Normal_coordinates& coordinates, const std::vector<FT>& log_length, const Subdivided_part& part,
+                  Progress& progress)
     : m_begin(middle.number_of_edges() + 1, 0),
       m_begin_on_final(last.number_of_edges() + 1, 0),
       m_final_of_middle(middle.number_of_halfedges(), Triangulation_connectivity::null),
       m_corner(middle.number_of_halfedges(), Triangulation_connectivity::null)
   {
     for (int e = 0; e < last.number_of_edges(); ++e)
-      m_begin_on_final[e + 1] = m_begin_on_final[e] + static_cast<int>(coordinates.number_of_crossings(e));
-    m_points.resize(m_begin_on_final.back());
-    m_point_on_final.resize(m_points.size());
-    m_middle_edge.resize(m_points.size());
+      m_begin_on_final[e + 1] =
+          m_begin_on_final[e] + (part.has_final_edge(e) ? static_cast<int>(coordinates.number_of_crossings(e)) : 0);
+    m_point_on_final.resize(m_begin_on_final.back(), none);
     const Halfedge_by_number middle_halfedge(middle);
     std::vector<int> number_of_points(middle.number_of_edges(), 0);
     const auto shared = [&](const int v, const int k, const int h) {
       m_final_of_middle[middle_halfedge(v, k)] = h;
       m_corner[middle_halfedge(v, k)] = h;
     };
+    const auto is_wanted = [&](const int h) { return part.has_final_face(last.face(h)); };
     coordinates.for_each_reference_halfedge(
         last,
         [&](const int v, const int k, const Normal_coordinates::Curve& curve) {
           const int h = middle_halfedge(v, k);
           m_corner[h] = curve.first_corner;
-          number_of_points[edge_of(h)] = static_cast<int>(curve.crossings.size());
+          if (part.has_middle_edge(edge_of(h)))
+            number_of_points[edge_of(h)] = static_cast<int>(curve.crossings.size());
         },
-        shared);
+        shared, is_wanted);
     for (int e = 0; e < middle.number_of_edges(); ++e)
       m_begin[e + 1] = m_begin[e] + number_of_points[e];
+    m_points.resize(m_begin.back());
+    m_middle_edge.resize(m_points.size());
     coordinates.for_each_reference_halfedge(
         last,
         [&](const int v, const int k, const Normal_coordinates::Curve& curve) {
           const int h = middle_halfedge(v, k);
-          if (is_along_edge(h) && progress.go_on_after(20 * curve.crossings.size()))
+          if (is_along_edge(h) && part.has_middle_edge(edge_of(h)) && progress.go_on_after(20 * curve.crossings.size()))
             locate(last, log_length, edge_of(h), curve);
         },
-        [](int, int, int) {});
+        [](int, int, int) {}, is_wanted);
   }
 
   /// The points on middle edge e, in the order of t: numbers begin(e) to begin(e + 1) - 1.
@@ -253,7 +267,7 @@ public:
   int middle_edge(const int i) const { return m_middle_edge[i]; }
 
   /// The points on the final edge e, from the source of 2e: numbers `point_on_final(i)`, i from begin_on_final(e) to
-  /// begin_on_final(e + 1) - 1.
+  /// begin_on_final(e + 1) - 1; `none` where it crosses a middle edge that is not looked at.
   int begin_on_final(const int e) const { return m_begin_on_final[e]; }
   int point_on_final(const int i) const { return m_point_on_final[i]; }
 

@@ -24,7 +24,7 @@ namespace internal {
 ///
 /// Faces are laid out breadth first. The edges that the dual tree does not cross form the cut; branches that end at a
 /// vertex around which the transitions are trivial are sewn up again. Between two of its cut edges, all corners at a
-/// vertex share one point.
+/// vertex share one point. Of a double, faces that are images are not laid out; the edges towards them count as cut.
 /// \tparam FT number type of the plane
 template <typename FT>
 class Flat_layout {
@@ -49,6 +49,9 @@ public:
     lay_out(structure, coefficients, progress);
     if (!progress.go_on())
       return;
+    for (Index e = 0; e < m_mesh.number_of_edges(); ++e)
+      if (structure.pairs.is_image_edge(m_mesh, e))
+        m_is_cut[e] = 0;
     sew_up(quarter_turns);
     join_corners();
   }
@@ -65,6 +68,15 @@ public:
   }
 
   bool is_cut(const Index edge) const { return m_is_cut[edge] != 0; }
+
+  bool is_laid_out(const Index face) const { return m_order[face] != -1; }
+
+  /// Whether the edge is cut, and both of its faces are laid out: then there is a transition across it.
+  bool is_cut_inside(const Index edge) const
+  {
+    return is_cut(edge) && is_laid_out(m_mesh.face(halfedge_of_edge(edge))) &&
+           is_laid_out(m_mesh.face(opposite(halfedge_of_edge(edge))));
+  }
 
   /// Rotation of the transition from the chart of the face of `h` to that of its opposite, in quarter turns, from the
   /// positions.
@@ -104,7 +116,7 @@ private:
     std::vector<Index> faces;
     int order = 0;
     for (Index root = 0; root < m_mesh.number_of_faces(); ++root) {
-      if (m_order[root] != -1)
+      if (is_laid_out(root) || structure.pairs.is_image(root))
         continue;
       place_root(structure, coefficients, root);
       m_order[root] = order++;
@@ -115,7 +127,7 @@ private:
         Index h = m_mesh.halfedge_of_face(faces[i]);
         for (int k = 0; k < 3; ++k, h = m_mesh.next(h)) {
           const Index g = opposite(h), f = m_mesh.face(g);
-          if (m_order[f] != -1)
+          if (is_laid_out(f) || structure.pairs.is_image(f))
             continue;
           m_order[f] = order++;
           m_entry[f] = g;
@@ -189,7 +201,7 @@ private:
     std::vector<char> is_done(m_mesh.number_of_halfedges(), 0);
     std::vector<Index> corners;
     for (Index start = 0; start < m_mesh.number_of_halfedges(); ++start) {
-      if (is_done[start])
+      if (is_done[start] || !is_laid_out(m_mesh.face(start)))
         continue;
       Index h = start; // to the clockwise end of the sector of the corner at the target of start
       while (!m_is_cut[edge_of(h)]) {

@@ -49,6 +49,7 @@ struct Metric_computation {
   Similarity_structure<FT> structure;
   std::vector<FT> coefficients;       ///< phi per vertex, then c per loop
   Triangulation_connectivity middle;  ///< the triangulation from which the iteration started
+  Mirror_pairs middle_pairs;          ///< its faces that were images of each other
   Normal_coordinates input_on_middle; ///< of the input's edges; empty if the two are the same
   std::size_t delaunay_flips = 0;
   Newton_record record;
@@ -78,6 +79,7 @@ struct Metric_computation {
   explicit Metric_computation(const Metric_computation<OtherFT>& other)
     : coefficients(other.coefficients.begin(), other.coefficients.end()),
       middle(other.middle),
+      middle_pairs(other.middle_pairs),
       input_on_middle(other.input_on_middle),
       delaunay_flips(other.delaunay_flips),
       record(other.record)
@@ -112,6 +114,7 @@ struct Metric_computation {
         input_on_middle = structure.delaunay_edges;
       structure.delaunay_edges = Normal_coordinates(structure.mesh);
       middle = structure.mesh;
+      middle_pairs = structure.pairs;
     }
     if (!flips_by_ptolemy(policy))
       structure.log_penner = structure.log_length;

@@ -112,22 +112,31 @@ public:
 
   /// calls `visit(v, k, curve)` once per halfedge of the reference triangulation that is not shared, where `v` is its
   /// source and `k` its number around `v` (counter-clockwise from `reference.outgoing_halfedges()[v]`), and
-  /// `shared_visit(v, k, h)` once per halfedge `h` of the current triangulation that is.
-  template <typename Visitor, typename SharedVisitor>
+  /// `shared_visit(v, k, h)` once per halfedge `h` of the current triangulation that is. \param is_wanted called with a
+  /// halfedge: whether those that start in its triangle, at its source, are visited
+  template <typename Visitor, typename SharedVisitor, typename IsWanted>
   void for_each_reference_halfedge(const Triangulation_connectivity& mesh, Visitor&& visit,
-                                   SharedVisitor&& visit_shared) const
+                                   SharedVisitor&& visit_shared, const IsWanted& is_wanted) const
   {
     Curve curve;
     for (Index h = 0; h < mesh.number_of_halfedges(); ++h) {
       const Index v = mesh.source(h);
       if (is_shared(edge_of(h)))
         visit_shared(v, m_first_reference[h], h);
-      const Count starts = number_of_starts(mesh, h);
+      const Count starts = is_wanted(h) ? number_of_starts(mesh, h) : 0;
       for (Count i = 0; i < starts; ++i) {
         trace(mesh, h, i, curve);
         visit(v, static_cast<int>((m_first_reference[h] + (is_shared(edge_of(h)) ? 1 : 0) + i) % m_degree[v]), curve);
       }
     }
+  }
+
+  /// does so for all of them.
+  template <typename Visitor, typename SharedVisitor>
+  void for_each_reference_halfedge(const Triangulation_connectivity& mesh, Visitor&& visit,
+                                   SharedVisitor&& visit_shared) const
+  {
+    for_each_reference_halfedge(mesh, visit, visit_shared, [](Index) { return true; });
   }
 
 private:

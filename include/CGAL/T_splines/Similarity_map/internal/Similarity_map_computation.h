@@ -13,6 +13,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Metric_computation.h>
 #include <CGAL/T_splines/Similarity_map/internal/Refined_triangulation.h>
 #include <CGAL/T_splines/Similarity_map/internal/Sliver_removal.h>
+#include <CGAL/T_splines/Similarity_map/internal/Subdivided_part.h>
 #include <CGAL/T_splines/Similarity_map/internal/converged_metric.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
@@ -61,18 +62,20 @@ public:
       length.push_back(sqrt(input.template squared_length<FT>(e)));
     if (!progress.go_on())
       return;
-    const Input_crossings<FT> on_input(input.mesh, metric.middle, metric.input_on_middle, length, progress);
+    const Subdivided_part part(input.number_of_edges, input.number_of_faces, metric.middle, metric.middle_pairs, last,
+                               metric.structure.pairs);
+    const Input_crossings<FT> on_input(input.mesh, metric.middle, metric.input_on_middle, length, part, progress);
     progress.progress(0.7);
     if (!progress.go_on())
       return;
     const Final_crossings<FT> on_final(metric.middle, last, metric.structure.delaunay_edges,
-                                       convert(metric.log_penner()), progress);
+                                       convert(metric.log_penner()), part, progress);
     if (!progress.go_on())
       return;
     progress.begin_stage("subdivision");
     const auto& form = convert(metric.structure.form);
     Common_subdivision<FT> subdivision(input.mesh, input.point, metric.middle, last, on_input, on_final, form, m_layout,
-                                       most_nodes, progress);
+                                       part, most_nodes, progress);
     if (!progress.go_on())
       return;
     m_is_too_large = !subdivision.is_complete();
@@ -84,16 +87,12 @@ public:
       const int on_final = m_refined.final_halfedge[halfedge_of_edge(e)];
       m_cut[e] = on_final != none && m_layout.is_cut(edge_of(on_final));
     }
-    progress.progress(0.8);
-    const int bad_face = Sliver_removal(input.mesh, input.point, m_refined, m_cut, progress).first_bad_input_face();
-    if (bad_face < input.number_of_faces)
-      m_first_bad_input_face = bad_face;
-    if (input.is_double() && progress.go_on()) {
-      First_sheet sheet(input, m_refined, m_cut);
-      m_refined = std::move(sheet.refined());
-      m_cut = std::move(sheet.cut_edges());
-      m_alignment.emplace(m_refined);
+    if (input.is_double()) {
+      complete_first_sheet(input, m_refined, m_cut);
+      m_alignment.emplace(m_refined); // before the signs of areas are decided
     }
+    progress.progress(0.8);
+    m_first_bad_input_face = Sliver_removal(input.mesh, input.point, m_refined, m_cut, progress).first_bad_input_face();
     progress.progress(1.);
   }
 

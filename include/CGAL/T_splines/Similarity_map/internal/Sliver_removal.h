@@ -29,7 +29,7 @@ namespace internal {
 /// vertices are moved along an edge into a neighbor, along the input edge or the cut on which they lie. An operation is
 /// done if all triangles that it changes are good afterwards. Where many vertices nearly coincide, no single collapse does
 /// that; then one will do that leaves fewer bad triangles, and none worse than before. Thin triangles that are positive
-/// may stay, such as those of the input; others are a failure.
+/// may stay, such as those of the input; others are a failure. A border stays where it is: its vertices are moved along it.
 class Sliver_removal {
   using Index = Triangulation_connectivity::Index;
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -90,8 +90,10 @@ private:
 
   void choose_projections()
   {
-    m_projection.resize(m_input.number_of_faces());
-    for (Index f = 0; f < m_input.number_of_faces(); ++f) {
+    // Of a double, the faces of the second sheet come last.
+    const auto last = std::max_element(m_refined.input_face.begin(), m_refined.input_face.end());
+    m_projection.resize(last != m_refined.input_face.end() ? *last + 1 : 0);
+    for (Index f = 0; f < static_cast<Index>(m_projection.size()); ++f) {
       const Index h = m_input.halfedge_of_face(f);
       const std::array<double, 3>&p = m_input_point[m_input.source(h)], &q = m_input_point[m_input.target(h)],
                                &r = m_input_point[m_input.target(m_input.next(h))];
@@ -192,17 +194,34 @@ private:
         flip(h);
         return;
       }
-    for (const Index side : sides) {
-      const Index start = m_mesh.next(side); // leaves the target of side
-      Index h = start;
-      do {
+    for (const Index side : sides)
+      for (const Index h : around_source(m_mesh.next(side))) // leave the target of side
         if (can_collapse(h)) {
           collapse(h);
           return;
         }
-        h = m_mesh.next_around_source(h);
-      } while (h != start);
-    }
+  }
+
+  // The halfedges that leave the source of h: h, and the others counter-clockwise, across a border too.
+  std::vector<Index> around_source(const Index h) const
+  {
+    std::vector<Index> result;
+    Index k = h;
+    do {
+      result.push_back(k);
+      k = next_around_source(k);
+    } while (k != h);
+    return result;
+  }
+
+  Index next_around_source(const Index h) const
+  {
+    if (m_mesh.face(h) != none)
+      return m_mesh.next_around_source(h);
+    Index k = h; // the border: to its other end, clockwise
+    while (m_mesh.face(opposite(k)) != none)
+      k = m_mesh.next(opposite(k));
+    return k;
   }
 
   bool are_adjacent(const Index v, const Index w) const
@@ -212,15 +231,17 @@ private:
     do {
       if (m_mesh.target(h) == w)
         return true;
-      h = m_mesh.next_around_source(h);
+      h = next_around_source(h);
     } while (h != start);
     return false;
   }
 
+  bool is_on_border(const Index h) const { return m_mesh.face(h) == none || m_mesh.face(opposite(h)) == none; }
+
   bool can_flip(const Index h) const
   {
     const Index g = opposite(h);
-    if (m_is_cut[edge_of(h)] || m_refined.input_halfedge[h] != none)
+    if (m_is_cut[edge_of(h)] || m_refined.input_halfedge[h] != none) // so it is not on a border
       return false;
     const Corner i = corner(g), j = corner(h), k = corner(m_mesh.next(h)), l = corner(m_mesh.next(g));
     const Index input_face = m_refined.input_face[m_mesh.face(h)];
@@ -255,29 +276,35 @@ private:
         return false;
       if (k != h && are_adjacent(m_mesh.target(k), w))
         ++common_neighbors;
-      k = m_mesh.next_around_source(k);
+      k = next_around_source(k);
     } while (k != h);
-    if (common_neighbors != 2 || (cut_edges != 0 && (cut_edges != 2 || !m_is_cut[edge_of(h)])))
+    if (is_on_border(h) && m_mesh.face(opposite(m_mesh.face(h) != none ? m_mesh.previous(h) : m_mesh.next(g))) == none)
+      return false; // u has one triangle
+    if (common_neighbors != (is_on_border(h) ? 1 : 2) || (cut_edges != 0 && (cut_edges != 2 || !m_is_cut[edge_of(h)])))
       return false;
     int bad = 0;
     bool is_right_of_cut = false; // once the second cut edge at u is passed
-    for (k = m_mesh.next_around_source(h); k != h; k = m_mesh.next_around_source(k)) {
+    for (k = next_around_source(h); k != h; k = next_around_source(k)) {
       is_right_of_cut = is_right_of_cut || m_is_cut[edge_of(k)];
       const Index f = m_mesh.face(k);
+      if (f == none || f == m_mesh.face(g))
+        continue;
       const Corner moved = {w, uv_at_target(h, is_right_of_cut)}, p = corner(k), q = corner(m_mesh.next(k));
-      if (f == m_mesh.face(g) || is_good(moved, p, q, m_refined.input_face[f]))
+      if (is_good(moved, p, q, m_refined.input_face[f]))
         continue;
       if (!m_may_leave_bad || is_good(f) || (is_positive(f) && !is_positive(moved, p, q, m_refined.input_face[f])))
         return false;
       ++bad;
     }
-    return bad == 0 || !is_good(m_mesh.face(h)) || !is_good(m_mesh.face(g));
+    const auto is_bad = [this](const Index face) { return face != none && !is_good(face); };
+    return bad == 0 || is_bad(m_mesh.face(h)) || is_bad(m_mesh.face(g));
   }
 
-  // uv of the target of h in the chart on its left, or on its right.
+  // uv of the target of h in the chart on its left, or on its right; on the border, where there is one.
   const std::array<double, 2>& uv_at_target(const Index h, const bool on_the_right) const
   {
-    return on_the_right ? m_refined.uv[m_mesh.previous(opposite(h))] : m_refined.uv[h];
+    const bool is_right = is_on_border(h) ? m_mesh.face(h) == none : on_the_right;
+    return is_right ? m_refined.uv[m_mesh.previous(opposite(h))] : m_refined.uv[h];
   }
 
   void collapse(const Index h)
@@ -285,26 +312,36 @@ private:
     const Index g = opposite(h), u = m_mesh.source(h), w = m_mesh.target(h);
     const std::array<double, 2> uv_left = uv_at_target(h, false), uv_right = uv_at_target(h, true);
     bool is_right_of_cut = false;
-    for (Index k = m_mesh.next_around_source(h); k != h; k = m_mesh.next_around_source(k)) {
-      is_right_of_cut = is_right_of_cut || m_is_cut[edge_of(k)];
-      m_refined.uv[m_mesh.previous(k)] = is_right_of_cut ? uv_right : uv_left; // the halfedge to u in the face of k
-    }
-    // Each of the two triangles of the edge vanishes; its two other edges become one.
-    const Index from_w = m_mesh.next(h),
-                from_u = opposite(m_mesh.previous(h)); // both to the left apex
-    const Index to_w = m_mesh.previous(g),
-                to_u = opposite(m_mesh.next(g)); // both from the right apex
     std::vector<Index> incoming;
-    for (Index k = m_mesh.next_around_source(h); k != h; k = m_mesh.next_around_source(k))
+    for (Index k = next_around_source(h); k != h; k = next_around_source(k)) {
+      is_right_of_cut = is_right_of_cut || m_is_cut[edge_of(k)];
+      if (m_mesh.face(k) != none)
+        m_refined.uv[m_mesh.previous(k)] = is_right_of_cut ? uv_right : uv_left; // the halfedge to u in the face of k
       incoming.push_back(opposite(k));
+    }
+    for (const Index n : {h, g})
+      if (m_mesh.face(n) == none) // the border goes on without it
+        m_mesh.m_next[opposite(next_around_source(n))] = m_mesh.next(n);
+    // Each of the triangles of the edge vanishes; its two other edges become one.
+    const bool has_left = m_mesh.face(h) != none, has_right = m_mesh.face(g) != none;
+    const Index from_w = m_mesh.next(h),
+                from_u = has_left ? opposite(m_mesh.previous(h)) : none; // both to the left apex
+    const Index to_w = has_right ? m_mesh.previous(g) : none,
+                to_u = opposite(m_mesh.next(g)); // both from the right apex
     for (const Index k : incoming)
       m_mesh.m_target[k] = w;
-    m_is_removed[m_mesh.face(h)] = m_is_removed[m_mesh.face(g)] = 1;
-    replace(from_u, from_w);
-    replace(to_u, to_w);
-    m_outgoing[w] = from_w;
-    m_outgoing[m_mesh.target(from_w)] = opposite(from_w);
-    m_outgoing[m_mesh.source(to_w)] = to_w;
+    if (has_left) {
+      m_is_removed[m_mesh.face(h)] = 1;
+      replace(from_u, from_w);
+      m_outgoing[w] = from_w;
+      m_outgoing[m_mesh.target(from_w)] = opposite(from_w);
+    }
+    if (has_right) {
+      m_is_removed[m_mesh.face(g)] = 1;
+      replace(to_u, to_w);
+      m_outgoing[w] = opposite(to_w);
+      m_outgoing[m_mesh.source(to_w)] = to_w;
+    }
     m_outgoing[u] = none;
   }
 
@@ -360,7 +397,7 @@ private:
         continue;
       result.mesh.m_next.push_back(new_halfedge[m_mesh.next(h)]);
       result.mesh.m_target.push_back(new_vertex[m_mesh.target(h)]);
-      result.mesh.m_face.push_back(new_face[m_mesh.face(h)]);
+      result.mesh.m_face.push_back(m_mesh.face(h) != none ? new_face[m_mesh.face(h)] : none);
       result.uv.push_back(m_refined.uv[h]);
       result.input_halfedge.push_back(m_refined.input_halfedge[h]);
       result.final_halfedge.push_back(m_refined.final_halfedge[h]);

@@ -125,9 +125,9 @@ private:
     m_rank_of_input.resize(m_on_input.begin(m_middle.number_of_edges()));
     m_rank_of_final.resize(m_on_final.begin(m_middle.number_of_edges()));
     for (int e = 0; e < m_middle.number_of_edges(); ++e) {
-      const FT same = smallest_distance(e);
       int i = m_on_input.begin(e), j = m_on_final.begin(e);
       const int i_end = m_on_input.begin(e + 1), j_end = m_on_final.begin(e + 1);
+      const FT same = i < i_end && j < j_end ? FT(smallest_distance(e)) : FT(0);
       while (i < i_end || j < j_end) {
         const int rank = static_cast<int>(m_points.size()) - m_begin[e];
         const bool has_both = i < i_end && j < j_end;
