@@ -128,4 +128,50 @@ TEST_CASE("an edge that is flipped alone parts its faces from their images", "[M
   CHECK(check_pairs(input, structure) == before - 2);
 }
 
+TEST_CASE("the folded system is the derivative of the gradient, with one row per vertex of the mesh, loop and arc",
+          "[Mirror_pairs]")
+{
+  Mesh round = disk(6), ring = annulus(2.5, 30, 5), plate = perforated_plate(2, 3);
+  std::mt19937 random(11);
+  for (Mesh* const mesh : {&round, &ring, &plate}) {
+    const internal::Metric_input input = double_of(*mesh);
+    Structure structure = internal::Metric_computation<double>(input, false).structure;
+    std::vector<double> at = symmetric_coefficients(input, 0.4, random);
+    structure.set_form(at);
+    internal::flip_to_delaunay(
+        structure, 100000, [](int) { return false; },
+        [&](const int h) {
+          structure.flip_ptolemy(h);
+          return true;
+        });
+    internal::Newton_system<double> system(input);
+    const std::size_t rows = system.number_of_rows();
+    CHECK(rows == mesh->number_of_vertices() - 1 + input.number_of_loops + input.number_of_arcs);
+    const auto right_hand_side_at = [&](const std::vector<double>& coefficients) {
+      structure.set_form(coefficients);
+      REQUIRE(system.evaluate(structure, nobody));
+      return system.right_hand_side();
+    };
+    right_hand_side_at(at);
+    system.set_hessian(structure);
+    std::vector<double> step(rows), image, of_matrix;
+    for (double& x : step)
+      x = std::uniform_real_distribution<double>(-1, 1)(random);
+    system.multiply(step, image);
+    system.matrix().multiply(step, of_matrix);
+    const std::vector<double> direction = system.direction(step);
+    const double t = 1e-5;
+    std::vector<double> before = at, behind = at;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      before[i] -= t * direction[i];
+      behind[i] += t * direction[i];
+    }
+    const std::vector<double> b = right_hand_side_at(before), c = right_hand_side_at(behind);
+    for (std::size_t r = 0; r < rows; ++r) {
+      CHECK((b[r] - c[r]) / (2 * t) == Approx(image[r]).margin(1e-7));
+      CHECK(of_matrix[r] == Approx(image[r]).margin(1e-12));
+    }
+  }
+}
+
 } // namespace Mirror_pairs_test
