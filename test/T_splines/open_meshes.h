@@ -66,6 +66,30 @@ inline Mesh l_shape(const int n)
       [](const int i, const int j) { return Point_3(i, j, 0); });
 }
 
+/// A rectangle with n x n cells, n even, that is cut from the middle of the right side to the centre: the two sides of the cut
+/// are `opening` apart at its end.
+inline Mesh slit_plate(const int n, const double opening)
+{
+  Mesh mesh;
+  std::map<std::pair<int, int>, Vertex> vertices;
+  const auto vertex = [&](const int i, const int j, const int cell) {
+    const bool is_above = i > n / 2 && j == n / 2 && cell >= n / 2;
+    const auto inserted = vertices.emplace(std::make_pair(i, is_above ? -1 : j), Vertex());
+    if (inserted.second) {
+      const double share = i > n / 2 ? 1 - std::abs(2. * j / n - 1) : 0, side = is_above || j > n / 2 ? 1 : -1;
+      inserted.first->second = mesh.add_vertex(Point_3(i, j + side * share * opening * (i - n / 2.) / n, 0));
+    }
+    return inserted.first->second;
+  };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const Vertex a = vertex(i, j, j), b = vertex(i + 1, j, j), c = vertex(i + 1, j + 1, j), d = vertex(i, j + 1, j);
+      mesh.add_face(a, b, c);
+      mesh.add_face(a, c, d);
+    }
+  return mesh;
+}
+
 /// A square with holes of h x h cells, `holes` x `holes` of them, h cells apart.
 inline Mesh perforated_plate(const int holes, const int h)
 {

@@ -6,7 +6,7 @@
 
 #include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_observer.h>
-#include <CGAL/T_splines/T_mesh/internal/triangle_meets_rectangle.h>
+#include <CGAL/T_splines/T_mesh/support/triangle_meets_rectangle.h>
 #include <CGAL/T_splines/internal/converted_number.h>
 #include <CGAL/T_splines/internal/converted_similarity.h>
 #include <CGAL/T_splines/internal/tolerances.h>

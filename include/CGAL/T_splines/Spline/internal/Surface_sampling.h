@@ -8,6 +8,7 @@
 #include <CGAL/T_splines/Spline/internal/Surface_walk.h>
 #include <CGAL/T_splines/Spline/internal/T_spline_basis.h>
 #include <CGAL/T_splines/T_mesh/Carried_surface.h>
+#include <CGAL/T_splines/T_mesh/support/triangle_meets_rectangle.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/tolerances.h>
@@ -333,18 +334,30 @@ private:
     const auto& t_mesh = m_basis.t_mesh();
     const int f = t_mesh.face(h);
     const auto place = t_mesh.target_point(h);
-    const double eps_u = same_point * CGAL::to_double(t_mesh.width(f)),
-                 eps_v = same_point * CGAL::to_double(t_mesh.height(f));
+    const double width = CGAL::to_double(t_mesh.width(f)), height = CGAL::to_double(t_mesh.height(f)),
+                 eps_u = same_point * width, eps_v = same_point * height;
     for (const Image& image : m_surface.images(m_indexing.face(f)))
       for (int i = 0; i < 3; ++i)
         if (std::abs(image.corners[i][0] - CGAL::to_double(place.first)) <= eps_u &&
-            std::abs(image.corners[i][1] - CGAL::to_double(place.second)) <= eps_v)
+            std::abs(image.corners[i][1] - CGAL::to_double(place.second)) <= eps_v && is_inside(image, width, height))
           return m_surface.triangles()[image.triangle][i];
     return std::nullopt;
   }
 
-  // The places in the part of a side that an edge of the border covers. Triangles on the other side of a slit touch the
-  // same line in the frame of the face, but from outside.
+  // Whether a triangle covers a part of a face, by more than round-off. On the other side of a slit there are triangles that
+  // touch the face from outside, in its frame.
+  static bool is_inside(const Image& image, const double width, const double height)
+  {
+    const double eps_u = same_point * width, eps_v = same_point * height;
+    std::array<Parameters, 3> corners = image.corners;
+    for (Parameters& corner : corners) {
+      corner[0] -= eps_u;
+      corner[1] -= eps_v;
+    }
+    return triangle_meets_rectangle(corners, {width - 2 * eps_u, height - 2 * eps_v});
+  }
+
+  // The places in the part of a side that an edge of the border covers.
   void add_border_edge(const Image& image, const int i, const int n, std::vector<Sampled_place>& samples) const
   {
     const Parameters &a = image.corners[i], &b = image.corners[(i + 1) % 3];
@@ -352,10 +365,8 @@ private:
     const int along = std::abs(b[0] - a[0]) >= std::abs(b[1] - a[1]) ? 0 : 1, across = 1 - along;
     const double eps = same_point * size[across], middle = (a[across] + b[across]) / 2;
     const bool is_first = std::abs(middle) <= eps;
-    if (a[along] == b[along] || (!is_first && std::abs(middle - size[across]) > eps))
-      return;
-    const double inwards = image.corners[(i + 2) % 3][across] - middle;
-    if (is_first ? inwards <= 0 : inwards >= 0)
+    if (a[along] == b[along] || (!is_first && std::abs(middle - size[across]) > eps) ||
+        !is_inside(image, m_width, m_height))
       return;
     const std::vector<FT>&cuts = along == 0 ? m_u : m_v, &cuts_across = along == 0 ? m_v : m_u;
     const std::size_t last = cuts_across.size() - 1;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_T_SPLINES_T_MESH_INTERNAL_TRIANGLE_MEETS_RECTANGLE_H
-#define CGAL_T_SPLINES_T_MESH_INTERNAL_TRIANGLE_MEETS_RECTANGLE_H
+#ifndef CGAL_T_SPLINES_T_MESH_SUPPORT_TRIANGLE_MEETS_RECTANGLE_H
+#define CGAL_T_SPLINES_T_MESH_SUPPORT_TRIANGLE_MEETS_RECTANGLE_H
 
 #include <algorithm>
 #include <array>
@@ -38,4 +38,4 @@ inline bool triangle_meets_rectangle(const std::array<std::array<double, 2>, 3>&
 } // namespace T_splines
 } // namespace CGAL
 
-#endif // CGAL_T_SPLINES_T_MESH_INTERNAL_TRIANGLE_MEETS_RECTANGLE_H
+#endif // CGAL_T_SPLINES_T_MESH_SUPPORT_TRIANGLE_MEETS_RECTANGLE_H
