@@ -67,7 +67,9 @@ inline std::vector<Option_group> option_table()
         {"--corners FILE",
          "the corners: .bcones, one line \"vertex k\" per corner, k quarter turns of the angle there; "
          "everywhere else the border is straight"},
-        {"--no-corners", "the border is straight everywhere"}}},
+        {"--no-corners", "the border is straight everywhere"},
+        {"--align-boundary", "a field from a file that does not follow the border stands for one with the same cones "
+                             "that does; else it is refused"}}},
       {"For the computed field",
        {{"--align-curvature X", "aligns it to principal curvatures: 0 not at all, 100 well (0)"},
         {"--cone-energy X", "cones are merged as long as a merge raises the energy of the map's scale by at most X, a "

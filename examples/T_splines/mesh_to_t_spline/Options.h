@@ -55,7 +55,7 @@ struct Options {
   std::optional<std::size_t> largest_hole; ///< in edges; none: holes stay
   std::optional<std::vector<int>> loops;
   std::optional<double> corner_angle; ///< in degrees; none: the default of the library
-  bool has_corners = true;
+  bool has_corners = true, is_border_aligned = false;
   double curvature_alignment = 0;
   std::optional<double> cone_energy; ///< none: the default, which depends on `largest_number_of_cones`
   std::optional<int> largest_number_of_cones;

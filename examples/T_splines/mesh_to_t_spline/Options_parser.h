@@ -62,6 +62,8 @@ private:
                 " exclude each other";
     else if (options.corner_angle && !options.has_corners)
       m_error = "--corner-angle and --no-corners exclude each other";
+    else if (options.is_border_aligned && options.field.empty())
+      m_error = "--align-boundary goes with --field: the computed field follows the border";
     else if (!m_computed_field_option.empty() && has_guidance)
       m_error = m_computed_field_option + " is for the computed field";
     else if (!options.are_cones_reduced && (options.cone_energy || options.largest_number_of_cones))
@@ -194,6 +196,8 @@ private:
       options.corner_angle = positive_number(value(), 180);
     else if (m_name == "--no-corners")
       parse_flag(options.has_corners, false);
+    else if (m_name == "--align-boundary")
+      parse_flag(options.is_border_aligned);
     else if (m_name == "--tolerance-residual")
       options.residual_tolerance = positive_number(value(), 1);
     else if (m_name == "--max-iterations")

@@ -118,8 +118,13 @@ Failure signature_of_field_file(const Options& options, const Border_corners& co
   const auto report = T::read_cross_field(filename, mesh, field, np);
   if (!report.success())
     return {filename + ": " + describe(report), true};
-  return approximation.use_cross_field(field, corners.added_to(np)) ? Failure()
-                                                                    : failure_of(options, filename, approximation);
+  if (approximation.use_cross_field(field,
+                                    corners.added_to(T::parameters::align_border(options.is_border_aligned, np))))
+    return {};
+  Failure failure = failure_of(options, filename, approximation);
+  if (approximation.report().signature.status == T::Holonomy_signature_status::FIELD_NOT_ALIGNED)
+    failure.message += " (--align-boundary takes its cones for such a field)";
+  return failure;
 }
 
 /// Reads a cone file, by the parser of its name, and completes the signature.
@@ -162,6 +167,8 @@ Failure find_signature(const Options& options, Mesh& mesh, Chosen_spd_solver_tra
   if (!options.field.empty()) {
     result = signature_of_field_file(options, corners, mesh, progress, approximation);
     figures.source = "cross field " + std::filesystem::path(options.field).filename().string();
+    if (approximation.report().signature.is_aligned)
+      figures.source += ", aligned with the border";
   }
   else if (!options.cones.empty()) {
     result = signature_of_cone_file(options, corners, approximation);

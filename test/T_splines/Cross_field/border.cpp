@@ -295,4 +295,50 @@ TEST_CASE("a field that does not follow the border is refused, with the edge and
   CHECK(describe(report, mesh).find("34 degrees") != std::string::npos);
 }
 
+TEST_CASE("a field that does not follow the border can stand for one with the same cones that does", "[border]")
+{
+  const auto aligned = [](Mesh& mesh, Signature& signature) {
+    const auto field = mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:field").first;
+    for (const auto f : mesh.faces())
+      field[f] = Kernel::Vector_3(std::cos(0.6), std::sin(0.6), 0); // no cones
+    CHECK(T::holonomy_signature_of_cross_field(mesh, field, signature).status == Status::FIELD_NOT_ALIGNED);
+    const auto report = T::holonomy_signature_of_cross_field(mesh, field, signature, T::parameters::align_border(true));
+    CHECK(report.is_aligned);
+    return report;
+  };
+  Mesh square = plate(6, 6), ring = annulus(3, 24, 6), round = disk(8), straight = plate(6, 6);
+  Signature signature;
+  REQUIRE(aligned(square, signature));
+  CHECK(signature.cones().empty());
+  CHECK(signature.corners().size() == 4);
+  CHECK(T::check_holonomy_signature(square, signature));
+  REQUIRE(aligned(ring, signature));
+  CHECK(signature.cones().empty());
+  CHECK(signature.corners().empty());
+  CHECK(signature.arcs().size() == 1);
+  CHECK(T::check_holonomy_signature(ring, signature));
+  // The border of a disk has no corners, so there would have to be cones: those of the field are left.
+  REQUIRE(aligned(round, signature));
+  CHECK(signature.cones().empty());
+  CHECK(signature.corners().size() == 4);
+  for (const auto& corner : signature.corners())
+    CHECK(corner.second == 1);
+  CHECK(T::check_holonomy_signature(round, signature));
+  const auto none = T::parameters::corners(std::optional(std::vector<Signature::Corner>()));
+  const auto field_of_disk = round.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:field").first;
+  const auto without_corners =
+      T::holonomy_signature_of_cross_field(round, field_of_disk, signature, T::parameters::align_border(true, none));
+  CHECK(without_corners.status == Status::GAUSS_BONNET_VIOLATED);
+  CHECK(without_corners.actual - without_corners.expected == -4);
+
+  // One that follows it is what it is.
+  const auto field = straight.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:field").first;
+  for (const auto f : straight.faces())
+    field[f] = Kernel::Vector_3(1, 0, 0);
+  Signature same;
+  const auto report = T::holonomy_signature_of_cross_field(straight, field, same, T::parameters::align_border(true));
+  CHECK(report);
+  CHECK_FALSE(report.is_aligned);
+}
+
 } // namespace border_test

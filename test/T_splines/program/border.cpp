@@ -217,6 +217,28 @@ TEST_CASE("a triangle alone is bad input")
     }
 }
 
+TEST_CASE("a field that does not follow the border is refused, unless its cones are to be taken")
+{
+  const Temporary_directory directory;
+  const std::string field = directory.file("field.rawfield");
+  {
+    std::ofstream file(field);
+    file << "4 80\n";
+    for (int f = 0; f < 80; ++f)
+      file << "0.8 0.6 0 -0.6 0.8 0 -0.8 -0.6 0 0.6 -0.8 0\n";
+  }
+  const Map_run refused(plate(8, 5), ".off", "--field '" + field + "'");
+  CHECK(refused.run.exit_code == 2);
+  CHECK(contains(refused.run.errors, "field.rawfield: the field does not follow the border: it is off by 37 degrees"));
+  CHECK(contains(refused.run.errors, "--align-boundary"));
+  CHECK_FALSE(std::filesystem::exists(refused.output));
+  const Map_run aligned(plate(8, 5), ".off", "--align-boundary --field '" + field + "'");
+  CAPTURE(aligned.run.errors);
+  CHECK(aligned.run.exit_code == 0);
+  CHECK(contains(aligned.run.output, "field.rawfield, aligned with the border: 0 cones, 4 corners (k = 1: 4)"));
+  CHECK(contains(failing_run("x.off --align-boundary").errors, "--align-boundary goes with --field"));
+}
+
 TEST_CASE("a surface whose border turns inwards")
 {
   Soup l_shape;

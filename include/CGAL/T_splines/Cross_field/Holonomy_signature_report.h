@@ -114,12 +114,13 @@ struct Holonomy_signature_report {
   typename Traits::face_descriptor face = Traits::null_face();
   typename Traits::halfedge_descriptor halfedge = Traits::null_halfedge(); ///< of an edge on the border
   std::size_t index = 0;                                                   ///< of a cone, corner, loop or arc
-  bool is_corner = false; ///< whether `index` is that of a corner, not of a cone
-  int component = 0;      ///< components are numbered in the order of their first faces
-  int expected = 0;       ///< what `status` compares with
-  int actual = 0;         ///< what was found
-  double deviation = 0;   ///< largest distance, in quarter turns, of a computed number from an integer, or of the field
-                          ///< from the direction of the border
+  bool is_corner = false;  ///< whether `index` is that of a corner, not of a cone
+  int component = 0;       ///< components are numbered in the order of their first faces
+  int expected = 0;        ///< what `status` compares with
+  int actual = 0;          ///< what was found
+  bool is_aligned = false; ///< whether the field did not follow the border, and stands for one that does
+  double deviation = 0; ///< largest distance, in quarter turns, of a computed number from an integer, or of the field
+                        ///< from the direction of the border
 
   /// returns whether `status` tells of success.
   bool success() const { return status == Holonomy_signature_status::VALID; }

@@ -13,11 +13,14 @@
 #include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
+#include <CGAL/T_splines/internal/mesh_components.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -96,6 +99,60 @@ bool add_strips(const Signature_domain<TriangleMesh>& mesh, const Field_holonomy
   return true;
 }
 
+// Which vertices of a curve of the border keep a corner if as few as possible make up the sum of those of the field: where
+// a direction of the cross passes the diagonals of the border there and back, there is none.
+// \return the vertices, those with more than one corner several times, and the sign of 2 - k, the same for all
+template <typename TriangleMesh>
+std::pair<std::vector<int>, int> fewest_corners(const Signature_domain<TriangleMesh>& mesh,
+                                                const std::vector<int>& curve,
+                                                const Holonomy_signature<TriangleMesh>& signature)
+{
+  std::vector<int> corners;
+  int sign = 0;
+  for (const int h : curve) {
+    const int v = mesh.m_connectivity.target(h);
+    const int turns = Border_guide::regular - signature.corner_quarter_turns(mesh.m_indexing.vertex(v));
+    for (int i = 0; i < std::abs(turns); ++i) {
+      const int sign_of_turn = turns > 0 ? 1 : -1;
+      if (corners.empty())
+        sign = sign_of_turn;
+      if (sign == sign_of_turn)
+        corners.push_back(v);
+      else
+        corners.pop_back();
+    }
+  }
+  return {corners, sign};
+}
+
+// Gives the border the corners that it should have, in place of those of a field that does not follow it; where that
+// would take other cones, as few as the field has at least.
+// \param are_given whether the corners of the guide are to be had in any case
+template <typename TriangleMesh>
+void align_corners(const Signature_domain<TriangleMesh>& mesh, const Border_guide& guide, const bool are_given,
+                   Holonomy_signature<TriangleMesh>& signature)
+{
+  const auto vertex = [&mesh](const int v) { return mesh.m_indexing.vertex(v); };
+  const std::vector<std::vector<int>> curves = border_curves(mesh.m_connectivity);
+  std::vector<int> excess(mesh.m_components.size(), 0); // of the quarter turns of the field
+  for (const std::vector<int>& curve : curves)
+    for (const int h : curve) {
+      const int v = mesh.m_connectivity.target(h);
+      excess[mesh.m_components.of_vertex[v]] += signature.corner_quarter_turns(vertex(v)) - guide.quarter_turns()[v];
+    }
+  for (const std::vector<int>& curve : curves) {
+    const bool is_guided =
+        are_given || excess[mesh.m_components.of_vertex[mesh.m_connectivity.target(curve.front())]] == 0;
+    const auto [corners, sign] = fewest_corners(mesh, curve, signature);
+    for (const int h : curve) {
+      const int v = mesh.m_connectivity.target(h);
+      const int number = static_cast<int>(std::count(corners.begin(), corners.end(), v));
+      signature.set_corner_quarter_turns(vertex(v),
+                                         is_guided ? guide.quarter_turns()[v] : Border_guide::regular - sign * number);
+    }
+  }
+}
+
 template <typename TriangleMesh>
 void signature_of_rotations(const Signature_domain<TriangleMesh>& mesh, const Field_holonomy& field, Progress& progress,
                             Holonomy_signature<TriangleMesh>& signature,
@@ -111,8 +168,6 @@ void signature_of_rotations(const Signature_domain<TriangleMesh>& mesh, const Fi
   else if (!add_strips(mesh, field, mesh.short_arcs(progress), progress, report,
                        [&](auto halfedges, const int k) { signature.add_arc(std::move(halfedges), k); }))
     report.status = Holonomy_signature_status::ARC_NOT_INTEGER;
-  else if (!progress.is_interrupted())
-    mesh.check_cones(signature, report);
 }
 
 // Whether the signature of a field has the corners of the guide.
@@ -185,6 +240,13 @@ void check_corners_are_met(const Signature_domain<TriangleMesh>& domain, const B
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{`default_corner_angle`, 50}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{align_border}
+///     \cgalParamDescription{whether a field that does not follow the border stands for one that does, with the same cones
+///       and turning numbers: it has the corners that it should have, or, on components where other cones would belong to
+///       these, as few as belong to its own}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`: it is refused}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{what hears of the progress and may stop the work}
 ///     \cgalParamType{a model of `ProgressVisitor`, copied}
@@ -194,7 +256,7 @@ void check_corners_are_met(const Signature_domain<TriangleMesh>& domain, const B
 ///
 /// \return the status INVALID_MESH, INVALID_FIELD, FIELD_NOT_ALIGNED (it is off the direction of the border by more than 30
 ///         degrees), VERTEX_NOT_INTEGER, LOOP_NOT_INTEGER, ARC_NOT_INTEGER, SINGLE_TRIANGLE, NON_POSITIVE_CONE (a field that turns
-///         by a full turn or more at a vertex), GAUSS_BONNET_VIOLATED (impossible without given matchings), INTERRUPTED
+///         by a full turn or more at a vertex), GAUSS_BONNET_VIOLATED (impossible without given matchings, unless the field was aligned), INTERRUPTED
 ///         or VALID.
 /// Complexity: O(n log n) in the number of faces.
 template <typename TriangleMesh, typename CrossFieldMap,
@@ -204,6 +266,8 @@ holonomy_signature_of_cross_field(const TriangleMesh& mesh, const CrossFieldMap&
                                   Holonomy_signature<TriangleMesh>& signature,
                                   const NamedParameters& np = CGAL::parameters::default_values())
 {
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
   const auto visitor = internal::progress_visitor(np);
   internal::Progress progress(visitor);
   progress.begin_stage("holonomy signature");
@@ -240,7 +304,9 @@ holonomy_signature_of_cross_field(const TriangleMesh& mesh, const CrossFieldMap&
   field.border_cross = internal::border_crosses(
       domain.m_connectivity, domain.m_geometry, guide,
       internal::angles_to_halfedges(domain.m_connectivity, domain.m_geometry, angle), worst, deviation);
-  if (deviation > internal::largest_border_deviation) {
+  report.is_aligned = deviation > internal::largest_border_deviation &&
+                      choose_parameter(get_parameter(np, np_tags::align_border), false);
+  if (deviation > internal::largest_border_deviation && !report.is_aligned) {
     signature.clear();
     report.status = Holonomy_signature_status::FIELD_NOT_ALIGNED;
     report.halfedge = domain.m_indexing.halfedge(worst);
@@ -249,7 +315,7 @@ holonomy_signature_of_cross_field(const TriangleMesh& mesh, const CrossFieldMap&
   }
   field.rotation = internal::matched_rotations(domain, angle, np);
   const bool has_given_corners = internal::given_corners<TriangleMesh>(np).has_value();
-  if (has_given_corners) {
+  if (has_given_corners && !report.is_aligned) {
     const std::vector<double> turns = internal::vertex_quarter_turns(
         domain.m_connectivity, domain.m_geometry.m_corner_angle, field.rotation, field.border_cross);
     internal::Corner_turns(domain.m_connectivity, turns, field.rotation).carry(guide.quarter_turns(), progress);
@@ -257,6 +323,10 @@ holonomy_signature_of_cross_field(const TriangleMesh& mesh, const CrossFieldMap&
   Holonomy_signature<TriangleMesh> result;
   if (progress.go_on())
     internal::signature_of_rotations(domain, field, progress, result, report);
+  if (report.success() && report.is_aligned)
+    internal::align_corners(domain, guide, has_given_corners, result);
+  if (report.success() && !progress.is_interrupted())
+    domain.check_cones(result, report);
   if (report.success() && !progress.is_interrupted() && has_given_corners)
     internal::check_corners_are_met(domain, guide, result, report);
   if (progress.is_interrupted())
