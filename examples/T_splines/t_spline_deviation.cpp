@@ -63,6 +63,10 @@ int main(int argc, char* argv[])
   }
   print("mesh to surface", report.mesh_to_surface);
   print("surface to mesh", report.surface_to_mesh);
+  if (report.free_edge) {
+    print("border of the mesh to that of the surface", report.free_edge->mesh_to_surface);
+    print("border of the surface to that of the mesh", report.free_edge->surface_to_mesh);
+  }
   std::cout << report.normals.number_of_folded_patches << " of " << report.normals.number_of_patches
             << " Bezier patches have a fold, " << report.normals.number_of_certified_patches
             << " certainly have none\n";

@@ -136,24 +136,49 @@ inline void print_levels(std::ostream& out, const T_spline_figures& spline)
   }
 }
 
-inline void print_one_way(std::ostream& out, const char* name, const Deviation_figures::One_way& way)
+inline void print_one_way(std::ostream& out, const char* name, const Deviation_figures::One_way& way,
+                          const char* measure = "area")
 {
   out << "              " << name << ": rms " << percent(way.error.rms) << ", max " << percent(way.error.maximum)
       << " (proven: at most " << percent(way.upper_bound) << "); " << share_in_percent(way.share_within_tolerance)
-      << " of the area within the tolerance, " << share_in_percent(way.share_within_half) << " within half of it\n";
+      << " of the " << measure << " within the tolerance, " << share_in_percent(way.share_within_half)
+      << " within half of it\n";
+}
+
+inline void print_place(std::ostream& out, const Deviation_figures::Place& place)
+{
+  out << std::setprecision(6) << "              worst at (" << place.point[0] << ", " << place.point[1] << ", "
+      << place.point[2] << "): face " << place.t_mesh_face << " of the T-mesh at (" << place.u << ", " << place.v
+      << "), ";
+  if (place.mesh_edge)
+    out << "edge from vertex " << (*place.mesh_edge)[0] << " to " << (*place.mesh_edge)[1] << " of the mesh\n";
+  else
+    out << "face " << place.mesh_face << " of the mesh\n";
+}
+
+/// How far the borders are apart.
+inline void print_free_edge(std::ostream& out, const Deviation_figures::Free_edge& free_edge)
+{
+  out << "  free edge   max " << percent(free_edge.maximum()) << ", rms " << percent(free_edge.rms())
+      << " between the borders, both ways";
+  if (free_edge.corners > 0)
+    out << "; corners off by at most " << percent(free_edge.largest_corner_distance, 2);
+  out << "\n";
+  print_one_way(out, "surface to mesh", free_edge.surface_to_mesh, "length");
+  print_one_way(out, "mesh to surface", free_edge.mesh_to_surface, "length");
+  print_place(out, free_edge.worst());
 }
 
 /// How far surface and mesh are apart, what is wrong first.
 inline void print_deviation(std::ostream& out, const T_spline_figures& spline, const Deviation_figures& deviation)
 {
-  const Deviation_figures::Place& worst = deviation.worst();
-  out << "  deviation   " << verdict(spline) << ": max " << percent(deviation.maximum()) << " both ways, tolerance "
-      << percent(spline.tolerance) << "\n";
-  print_one_way(out, "surface to mesh", deviation.surface_to_mesh);
-  print_one_way(out, "mesh to surface", deviation.mesh_to_surface);
-  out << std::setprecision(6) << "              worst at (" << worst.point[0] << ", " << worst.point[1] << ", "
-      << worst.point[2] << "): face " << worst.t_mesh_face << " of the T-mesh at (" << worst.u << ", " << worst.v
-      << "), face " << worst.mesh_face << " of the mesh\n";
+  out << "  deviation   " << verdict(spline) << ": max " << percent(deviation.of_surface.maximum())
+      << " both ways, tolerance " << percent(spline.tolerance) << "\n";
+  print_one_way(out, "surface to mesh", deviation.of_surface.surface_to_mesh);
+  print_one_way(out, "mesh to surface", deviation.of_surface.mesh_to_surface);
+  print_place(out, deviation.of_surface.worst());
+  if (deviation.free_edge)
+    print_free_edge(out, *deviation.free_edge);
   out << "  normals     differ by at most " << std::setprecision(3) << deviation.largest_angle << " degrees; "
       << deviation.folded_patches << " of " << spline.patches << " Bezier patches with folds, "
       << deviation.certified_patches << " certified without";

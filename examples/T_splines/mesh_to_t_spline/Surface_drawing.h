@@ -16,17 +16,21 @@
 /// Where normals or curvatures differ from one patch to the next, each patch has to have vertices of its own, or the
 /// page cannot show it.
 struct Surface_drawing {
-  std::vector<Kernel::Point_3> points;      ///< of the tessellation
-  std::vector<Kernel::Vector_3> normals;    ///< per point: of length 1
-  std::vector<double> mean_curvature;       ///< per point: 1/r on a sphere of radius r whose normals point out of it;
-                                            ///< NaN where undefined (at extraordinary points)
-  std::vector<double> deviation;            ///< per point: its distance from the mesh, by the longest side of the box
-  std::vector<std::uint32_t> triangles;     ///< 3 points per triangle
-  std::vector<Kernel::Point_3> net_points;  ///< the edges of the control T-mesh as polylines, one after the other
-  std::vector<std::uint32_t> net_sizes;     ///< per polyline: its number of points
-  std::vector<Kernel::Point_3> edge_points; ///< the images of the edges of the T-mesh on the surface, likewise
-  std::vector<std::uint32_t> edge_sizes;    ///< per polyline: its number of points
-  std::vector<Kernel::Point_3> extraordinary_points; ///< on the surface
+  std::vector<Kernel::Point_3> points;        ///< of the tessellation
+  std::vector<Kernel::Vector_3> normals;      ///< per point: of length 1
+  std::vector<double> mean_curvature;         ///< per point: 1/r on a sphere of radius r whose normals point out of it;
+                                              ///< NaN where undefined (at extraordinary points)
+  std::vector<double> deviation;              ///< per point: its distance from the mesh, by the longest side of the box
+  std::vector<std::uint32_t> triangles;       ///< 3 points per triangle
+  std::vector<Kernel::Point_3> net_points;    ///< the edges of the control T-mesh as polylines, one after the other
+  std::vector<std::uint32_t> net_sizes;       ///< per polyline: its number of points
+  std::vector<Kernel::Point_3> edge_points;   ///< the images of the edges of the T-mesh on the surface, likewise
+  std::vector<std::uint32_t> edge_sizes;      ///< per polyline: its number of points
+  std::vector<Kernel::Point_3> border_points; ///< the border of the surface, likewise
+  std::vector<std::uint32_t> border_sizes;    ///< per polyline: its number of points
+  std::vector<Kernel::Point_3> extraordinary_points; ///< on the surface, not on its border
+  std::vector<Kernel::Point_3> corner_points;        ///< where the border has corners
+  std::vector<std::uint32_t> corner_turns;           ///< per corner: its angle in quarter turns
 };
 
 /// Coordinates from -1 to 1 as multiples of 1/32767: 3 per vector. (8 bits would be seen in reflection lines.)

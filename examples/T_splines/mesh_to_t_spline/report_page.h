@@ -149,6 +149,10 @@ inline void add_surface_data(Page_data& data, const Page_frame& frame, const Sur
   data["net_sizes"] = [&] { return base64_of_array(surface.net_sizes); };
   data["edge_points"] = [&] { return base64_of_array(frame.positions(surface.edge_points)); };
   data["edge_sizes"] = [&] { return base64_of_array(surface.edge_sizes); };
+  data["border_points"] = [&] { return base64_of_array(frame.positions(surface.border_points)); };
+  data["border_sizes"] = [&] { return base64_of_array(surface.border_sizes); };
+  data["corner_points"] = [&] { return base64_of_array(frame.positions(surface.corner_points)); };
+  data["corner_turns"] = [&] { return base64_of_array(surface.corner_turns); };
   data["extraordinary_points"] = [&] { return base64_of_array(frame.positions(surface.extraordinary_points)); };
 }
 

@@ -28,6 +28,7 @@ struct Deviation_figures {
     std::size_t t_mesh_face = 0;
     double u = 0, v = 0;
     std::size_t mesh_face = 0;
+    std::optional<std::array<std::size_t, 2>> mesh_edge; ///< its vertices, if the place is on the border
   };
   struct One_way {
     Relative_error error;
@@ -35,9 +36,26 @@ struct Deviation_figures {
     double share_within_tolerance = 0, share_within_half = 0;
     Place worst;
   };
+  struct Both_ways {
+    One_way surface_to_mesh, mesh_to_surface;
 
-  One_way surface_to_mesh, mesh_to_surface;
-  double largest_angle = 0; ///< between normals, in degrees
+    double rms() const { return std::max(surface_to_mesh.error.rms, mesh_to_surface.error.rms); }
+    double maximum() const { return std::max(surface_to_mesh.error.maximum, mesh_to_surface.error.maximum); }
+    double upper_bound() const { return std::max(surface_to_mesh.upper_bound, mesh_to_surface.upper_bound); }
+    const Place& worst() const
+    {
+      return (surface_to_mesh.error.maximum > mesh_to_surface.error.maximum ? surface_to_mesh : mesh_to_surface).worst;
+    }
+  };
+  /// The same of the borders, with shares of their lengths.
+  struct Free_edge : Both_ways {
+    std::size_t corners = 0;            ///< of the surface
+    double largest_corner_distance = 0; ///< from the vertex of the mesh closest to a corner
+  };
+
+  Both_ways of_surface;
+  std::optional<Free_edge> free_edge; ///< if there is a border
+  double largest_angle = 0;           ///< between normals, in degrees
   Place worst_angle;
   std::size_t folded_patches = 0, doubtful_patches = 0, certified_patches = 0;
   std::size_t self_intersections = 0;             ///< pairs of triangles of t_spline.obj
@@ -45,12 +63,8 @@ struct Deviation_figures {
   std::size_t self_intersections_beyond_mesh = 0; ///< pairs of t_spline.obj where the mesh has none
   std::array<double, 3> self_intersection = {};   ///< the place of one of them
 
-  double maximum() const { return std::max(surface_to_mesh.error.maximum, mesh_to_surface.error.maximum); }
-  double upper_bound() const { return std::max(surface_to_mesh.upper_bound, mesh_to_surface.upper_bound); }
-  const Place& worst() const
-  {
-    return (surface_to_mesh.error.maximum > mesh_to_surface.error.maximum ? surface_to_mesh : mesh_to_surface).worst;
-  }
+  bool is_surface_within(const double tolerance) const { return of_surface.maximum() <= tolerance; }
+  bool is_border_within(const double tolerance) const { return !free_edge || free_edge->maximum() <= tolerance; }
 };
 
 /// The T-spline surface, and how it was fitted.
@@ -71,6 +85,7 @@ struct T_spline_figures {
   std::optional<Deviation_figures> deviation;
   std::size_t patches = 0;
   std::map<int, std::size_t> valences; ///< of the extraordinary vertices
+  std::map<int, std::size_t> corners;  ///< of the border, by quarter turns
   int rings = 0;                       ///< of patches around extraordinary vertices
   double cap_deviation = 0;            ///< by the longest side
   std::size_t tessellation_triangles = 0;
@@ -78,8 +93,11 @@ struct T_spline_figures {
   const Level& level() const { return levels[best_level]; }
   std::string ending() const { return fit_is_within_tolerance ? status : "ended beyond the tolerance: " + status; }
 
-  /// Whether the surface is what was asked for, as measured: both ways, between the samples, too.
-  bool is_within_tolerance() const { return deviation && deviation->maximum() <= tolerance; }
+  /// Whether the surface and its border are what was asked for, as measured: both ways, between the samples, too.
+  bool is_within_tolerance() const
+  {
+    return deviation && deviation->is_surface_within(tolerance) && deviation->is_border_within(tolerance);
+  }
   bool is_faultless() const
   {
     return is_within_tolerance() && deviation->folded_patches == 0 && deviation->self_intersections_beyond_mesh == 0;
@@ -97,6 +115,8 @@ inline std::string verdict(const T_spline_figures& figures)
   std::string text = figures.is_within_tolerance() ? "within the tolerance" : "beyond the tolerance";
   if (!figures.deviation)
     return text;
+  if (figures.deviation->is_surface_within(figures.tolerance) && !figures.is_within_tolerance())
+    text += " along the border";
   const char* separator = figures.is_within_tolerance() ? ", but " : ", ";
   if (figures.deviation->folded_patches > 0) {
     text += separator + counted(figures.deviation->folded_patches, "patch has a fold", "patches have folds");
@@ -123,7 +143,10 @@ inline void write_members(Json_writer& json, const T_spline_figures::Level& leve
 inline void write_place(Json_writer& json, const char* name, const Deviation_figures::Place& place)
 {
   json.key(name).begin_object().array_member("point", place.point).member("t_mesh_face", place.t_mesh_face);
-  json.member("u", place.u).member("v", place.v).member("mesh_face", place.mesh_face).end_object();
+  json.member("u", place.u).member("v", place.v).member("mesh_face", place.mesh_face);
+  if (place.mesh_edge)
+    json.array_member("mesh_edge", *place.mesh_edge);
+  json.end_object();
 }
 
 inline void write_one_way(Json_writer& json, const char* name, const Deviation_figures::One_way& way)
@@ -136,13 +159,18 @@ inline void write_one_way(Json_writer& json, const char* name, const Deviation_f
   json.end_object();
 }
 
+inline void write_both_ways(Json_writer& json, const Deviation_figures::Both_ways& both)
+{
+  json.member("maximum", both.maximum()).member("upper_bound", both.upper_bound());
+  write_place(json, "worst", both.worst());
+  write_one_way(json, "surface_to_mesh", both.surface_to_mesh);
+  write_one_way(json, "mesh_to_surface", both.mesh_to_surface);
+}
+
 inline void write_deviation(Json_writer& json, const Deviation_figures& deviation)
 {
   json.key("deviation").begin_object();
-  json.member("maximum", deviation.maximum()).member("upper_bound", deviation.upper_bound());
-  write_place(json, "worst", deviation.worst());
-  write_one_way(json, "surface_to_mesh", deviation.surface_to_mesh);
-  write_one_way(json, "mesh_to_surface", deviation.mesh_to_surface);
+  write_both_ways(json, deviation.of_surface);
   json.member("largest_angle", deviation.largest_angle);
   write_place(json, "worst_angle", deviation.worst_angle);
   json.member("folded_patches", deviation.folded_patches).member("doubtful_patches", deviation.doubtful_patches);
@@ -152,6 +180,14 @@ inline void write_deviation(Json_writer& json, const Deviation_figures& deviatio
   json.member("self_intersections_beyond_mesh", deviation.self_intersections_beyond_mesh);
   if (deviation.self_intersections_beyond_mesh > 0)
     json.array_member("self_intersection", deviation.self_intersection);
+  if (deviation.free_edge) {
+    json.key("free_edge").begin_object();
+    json.member("rms", deviation.free_edge->rms());
+    write_both_ways(json, *deviation.free_edge);
+    json.member("corners", deviation.free_edge->corners);
+    json.member("largest_corner_distance", deviation.free_edge->largest_corner_distance);
+    json.end_object();
+  }
   json.end_object();
 }
 
@@ -188,10 +224,14 @@ inline void write_t_spline_figures(Json_writer& json, const T_spline_figures& fi
   for (const auto& valence : figures.valences)
     number += valence.second;
   json.member("extraordinary_vertices", number);
-  json.key("valences").begin_object();
-  for (const auto& [valence, count] : figures.valences)
-    json.member(std::to_string(valence).c_str(), count);
-  json.end_object();
+  const auto write_counts = [&](const char* name, const std::map<int, std::size_t>& counts) {
+    json.key(name).begin_object();
+    for (const auto& [key, count] : counts)
+      json.member(std::to_string(key).c_str(), count);
+    json.end_object();
+  };
+  write_counts("valences", figures.valences);
+  write_counts("corners", figures.corners);
   json.member("rings_of_patches", figures.rings).member("cap_deviation", figures.cap_deviation);
   json.member("tessellation_triangles", figures.tessellation_triangles);
   json.end_object();

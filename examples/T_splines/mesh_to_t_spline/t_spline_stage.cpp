@@ -24,6 +24,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -78,7 +79,7 @@ Failure fit(const Options& options, Chosen_spd_solver_traits& solver, Progress& 
   return is_fitted ? Failure() : failure_of(options, approximation);
 }
 
-/// The images of the edges of the T-mesh, and the edges of the control net.
+/// The images of the edges of the T-mesh, those of the border once more, and the edges of the control net.
 void draw_edges(const Surface& surface, const T_spline& spline, const int resolution, Surface_drawing& drawing)
 {
   const Graph& graph = spline.graph();
@@ -90,6 +91,7 @@ void draw_edges(const Surface& surface, const T_spline& spline, const int resolu
     drawing.net_points.push_back(graph.point(graph.target(h)));
     drawing.net_sizes.push_back(2);
     const auto a = coordinates.source_point(h), b = coordinates.target_point(h);
+    const std::size_t first = drawing.edge_points.size();
     for (int i = 0; i <= resolution; ++i) {
       const double x = static_cast<double>(i) / resolution;
       drawing.edge_points.push_back(
@@ -97,6 +99,34 @@ void draw_edges(const Surface& surface, const T_spline& spline, const int resolu
                            std::clamp(a.second + x * (b.second - a.second), 0., surface.height(f))));
     }
     drawing.edge_sizes.push_back(static_cast<std::uint32_t>(resolution + 1));
+    if (graph.is_border(e)) {
+      drawing.border_points.insert(drawing.border_points.end(), drawing.edge_points.begin() + first,
+                                   drawing.edge_points.end());
+      drawing.border_sizes.push_back(drawing.edge_sizes.back());
+    }
+  }
+}
+
+/// What is remarkable: extraordinary points, and where the border has corners.
+void draw_points(const Surface& surface, const T_spline& spline, Surface_drawing& drawing)
+{
+  const Graph& graph = spline.graph();
+  const CGAL::T_splines::T_mesh_coordinates coordinates(spline);
+  for (const Graph::Vertex_index v : graph.vertices()) {
+    if (!CGAL::T_splines::is_extraordinary(v, spline))
+      continue;
+    const Graph::Halfedge_index any = graph.halfedge(v),
+                                h = graph.is_border(any) ? graph.opposite(graph.next(any)) : any;
+    const Graph::Face_index f = graph.face(h);
+    const auto p = coordinates.target_point(h);
+    const Kernel::Point_3 point =
+        surface.position(f, std::min(p.first, surface.width(f)), std::min(p.second, surface.height(f)));
+    if (CGAL::T_splines::is_border_vertex(v, spline)) {
+      drawing.corner_points.push_back(point);
+      drawing.corner_turns.push_back(static_cast<std::uint32_t>(CGAL::T_splines::extended_valence(v, spline)));
+    }
+    else
+      drawing.extraordinary_points.push_back(point);
   }
 }
 
@@ -121,15 +151,7 @@ Surface_drawing drawing_of(const Surface& surface, const T_spline& spline, const
     for (const std::size_t i : triangle)
       drawing.triangles.push_back(static_cast<std::uint32_t>(i));
   draw_edges(surface, spline, resolution, drawing);
-  for (const Graph::Vertex_index v : graph.vertices())
-    if (CGAL::T_splines::is_extraordinary(v, spline)) {
-      const Graph::Halfedge_index any = graph.halfedge(v),
-                                  h = graph.is_border(any) ? graph.opposite(graph.next(any)) : any;
-      const Graph::Face_index f = graph.face(h);
-      const auto p = CGAL::T_splines::T_mesh_coordinates(spline).target_point(h);
-      drawing.extraordinary_points.push_back(
-          surface.position(f, std::min(p.first, surface.width(f)), std::min(p.second, surface.height(f))));
-    }
+  draw_points(surface, spline, drawing);
   return drawing;
 }
 
@@ -161,7 +183,8 @@ void set_surface_figures(const Results& results, T_spline_figures& figures)
   const T_spline& spline = results.fitted;
   for (const Graph::Vertex_index v : spline.graph().vertices())
     if (CGAL::T_splines::is_extraordinary(v, spline))
-      ++figures.valences[CGAL::T_splines::extended_valence(v, spline)];
+      ++(CGAL::T_splines::is_border_vertex(v, spline) ? figures.corners
+                                                      : figures.valences)[CGAL::T_splines::extended_valence(v, spline)];
 }
 
 std::array<double, 3> coordinates_of(const CGAL::Simple_cartesian<double>::Point_3& p)
@@ -172,24 +195,54 @@ std::array<double, 3> coordinates_of(const CGAL::Simple_cartesian<double>::Point
 Deviation_figures::Place place_of(const CGAL::T_splines::Deviation_place<Graph, Mesh>& place,
                                   const CGAL::Simple_cartesian<double>::Point_3& point)
 {
-  return {coordinates_of(point), place.place.face, place.place.u, place.place.v, place.mesh_face};
+  return {coordinates_of(point), place.place.face, place.place.u, place.place.v, place.mesh_face, std::nullopt};
+}
+
+Deviation_figures::One_way figures_of(const CGAL::T_splines::One_way_deviation& way,
+                                      const Deviation_figures::Place& worst)
+{
+  return {{way.relative_rms(), way.relative_maximum()},
+          way.relative_upper_bound(),
+          way.share_within_tolerance,
+          way.share_within_half,
+          worst};
+}
+
+Deviation_figures::Free_edge figures_of(const CGAL::T_splines::Free_edge_deviation<Graph, Mesh>& free_edge,
+                                        const Mesh& mesh)
+{
+  const auto one_way = [&](const CGAL::T_splines::One_way_deviation& way,
+                           const CGAL::T_splines::Free_edge_place<Graph, Mesh>& place) {
+    const Halfedge h = mesh.opposite(place.mesh_halfedge); // along the face
+    return figures_of(way, {coordinates_of(way.farthest_point),
+                            place.place.face,
+                            place.place.u,
+                            place.place.v,
+                            mesh.face(h),
+                            {{mesh.source(h), mesh.target(h)}}});
+  };
+  Deviation_figures::Free_edge figures;
+  figures.surface_to_mesh = one_way(free_edge.surface_to_mesh, free_edge.surface_to_mesh_place);
+  figures.mesh_to_surface = one_way(free_edge.mesh_to_surface, free_edge.mesh_to_surface_place);
+  figures.corners = free_edge.number_of_corners;
+  const double extent = free_edge.mesh_to_surface.extent;
+  figures.largest_corner_distance = extent > 0 ? free_edge.largest_corner_distance / extent : 0;
+  return figures;
 }
 
 /// What was measured of the surface that the fit hands out.
-Deviation_figures figures_of(const Fit_report& fit)
+Deviation_figures figures_of(const Fit_report& fit, const Mesh& mesh)
 {
   const auto& report = fit.deviation;
   const auto one_way = [](const CGAL::T_splines::One_way_deviation& way,
                           const CGAL::T_splines::Deviation_place<Graph, Mesh>& place) {
-    return Deviation_figures::One_way{{way.relative_rms(), way.relative_maximum()},
-                                      way.relative_upper_bound(),
-                                      way.share_within_tolerance,
-                                      way.share_within_half,
-                                      place_of(place, way.farthest_point)};
+    return figures_of(way, place_of(place, way.farthest_point));
   };
   Deviation_figures figures;
-  figures.surface_to_mesh = one_way(report.surface_to_mesh, report.surface_to_mesh_place);
-  figures.mesh_to_surface = one_way(report.mesh_to_surface, report.mesh_to_surface_place);
+  figures.of_surface.surface_to_mesh = one_way(report.surface_to_mesh, report.surface_to_mesh_place);
+  figures.of_surface.mesh_to_surface = one_way(report.mesh_to_surface, report.mesh_to_surface_place);
+  if (report.free_edge)
+    figures.free_edge = figures_of(*report.free_edge, mesh);
   figures.largest_angle = report.normals.largest_angle * 180 / CGAL_PI;
   figures.worst_angle = place_of(report.normals.place, report.normals.point);
   figures.folded_patches = report.normals.number_of_folded_patches;
@@ -219,7 +272,7 @@ Failure make_t_spline(const Options& options, Chosen_spd_solver_traits& solver, 
   results.surface_drawing = drawing_of(surface, spline, 400000);
   draw_deviation(results, figures.longest_side);
   progress.end_stage();
-  figures.deviation = figures_of(results.approximation->report().fit);
+  figures.deviation = figures_of(results.approximation->report().fit, mesh);
   set_surface_figures(results, figures);
   return failure;
 }

@@ -16,7 +16,9 @@
 
 #include <cmath>
 #include <filesystem>
+#include <cstdlib>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -63,6 +65,21 @@ inline void write_torus(const std::string& name, const int n, const double offse
       const int a = vertex(i, j) + 1, b = vertex(i + 1, j) + 1, c = vertex(i + 1, j + 1) + 1, d = vertex(i, j + 1) + 1;
       file << "f " << a << " " << b << " " << c << "\nf " << a << " " << c << " " << d << "\n";
     }
+}
+
+/// The page of a run as a browser leaves it; none if no browser runs.
+/// \param address what follows `#`
+inline std::optional<std::string> page_in_browser(const std::string& output, const std::string& address)
+{
+  const Temporary_directory directory;
+  const std::string page = directory.file("page");
+  const std::string browser =
+      "timeout 100 chromium --headless --no-sandbox --no-first-run --disable-background-networking"
+      " --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --virtual-time-budget=3000"
+      " --user-data-dir='" +
+      directory.file("profile") + "' --dump-dom 'file://" + output + "/report.html#" + address + "' >'" + page +
+      "' 2>/dev/null";
+  return std::system(browser.c_str()) == 0 ? std::optional<std::string>(file_content(page)) : std::nullopt;
 }
 
 inline std::set<std::string> files_of(const std::string& directory)

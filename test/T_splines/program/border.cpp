@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -123,6 +124,87 @@ TEST_CASE("corners that cannot be are refused, with the file and the vertex")
   CHECK(contains(failing_run("x.off --corners a.bcones --corner-angle 30").errors, "--corners and --corner-angle"));
   CHECK(contains(failing_run("x.off --no-corners --corner-angle 30").errors, "--corner-angle and --no-corners"));
   CHECK(contains(failing_run("x.off --corner-angle 0").errors, "--corner-angle"));
+}
+
+namespace {
+
+/// The rectangle [0, 24] x [0, 16] in steps of 1/2, with a notch from below, 0.8 deep and 0.08 wide, and its corners.
+Soup notched_plate()
+{
+  Soup soup = plate(48, 32);
+  for (std::size_t j = 0; j <= 32; ++j)
+    for (std::size_t i = 0; i <= 48; ++i) {
+      auto& p = soup.points[j * 49 + i];
+      p = {i / 2., j / 2., 0};
+      if (i == 24)
+        p[1] += 0.8 * (1 - p[1] / 16);
+      else if (j == 0 && (i == 23 || i == 25))
+        p[0] = i == 23 ? 11.96 : 12.04;
+    }
+  return soup;
+}
+
+/// The first number of this name after a text.
+double number_after(const std::string& json, const std::string& text, const std::string& name)
+{
+  const std::size_t begin = json.find(text);
+  REQUIRE(begin != std::string::npos);
+  const std::string key = "\"" + name + "\": ";
+  const std::size_t place = json.find(key, begin);
+  REQUIRE(place != std::string::npos);
+  return std::stod(json.substr(place + key.size()));
+}
+
+} // namespace
+
+TEST_CASE("the distance between the borders is reported, drawn and within the tolerance")
+{
+  const Temporary_directory directory;
+  const std::string mesh = directory.file("notch.off"), output = directory.file("output");
+  const std::string corners = written(directory, "0 1\n48 1\n1616 1\n1568 1\n");
+  notched_plate().write(mesh);
+  const Program_run run("'" + mesh + "' --corners '" + corners + "' --tolerance 0.01 -o '" + output + "'");
+  CAPTURE(run.output, run.errors);
+  REQUIRE(run.exit_code == 0);
+  CHECK(contains(run.output, "deviation   within the tolerance"));
+  CHECK(contains(run.output, "free edge   max "));
+  const std::string report = file_content(output + "/report.json");
+  CHECK(contains(report, "\"is_within_tolerance\": true"));
+  const std::string free_edge = "\"free_edge\": {";
+  CHECK(number_after(report, free_edge, "maximum") <= 0.01);
+  CHECK(number_after(report, free_edge, "upper_bound") >= number_after(report, free_edge, "maximum"));
+  CHECK(number_after(report, free_edge, "rms") < number_after(report, free_edge, "maximum"));
+  CHECK(number_after(report, free_edge, "corners") == 4);
+  CHECK(number_after(report, free_edge, "largest_corner_distance") <= 1e-14);
+  CHECK(contains(report.substr(report.find(free_edge)), "\"mesh_edge\": ["));
+  const std::optional<std::string> page = page_in_browser(output, "view=deviation&place=border");
+  if (!page) {
+    WARN("no chromium that runs: the page was not tried");
+    return;
+  }
+  CHECK(contains(*page, "<h2>Free edge</h2>"));
+  CHECK(contains(*page, "data-place=\"border\""));
+  CHECK(contains(*page, "corners, k = 1, angle 90"));
+  CHECK(contains(*page, "1 border, 4 corners"));
+  CHECK(contains(*page, "<div id=\"place_mark\" aria-hidden=\"true\" style=\"left: "));
+  CHECK(contains(*page, "<p id=\"message\" hidden=\"\"></p>"));
+}
+
+TEST_CASE("a surface that is near everywhere but along its border is beyond the tolerance")
+{
+  const Temporary_directory directory;
+  const std::string mesh = directory.file("notch.off"), output = directory.file("output");
+  const std::string corners = written(directory, "0 1\n48 1\n1616 1\n1568 1\n");
+  notched_plate().write(mesh);
+  const Program_run run("'" + mesh + "' --corners '" + corners + "' --max-control-points 20 -o '" + output + "'");
+  CAPTURE(run.output, run.errors);
+  REQUIRE(run.exit_code == 0);
+  CHECK(contains(run.output, "deviation   beyond the tolerance along the border"));
+  const std::string report = file_content(output + "/report.json");
+  CHECK(contains(report, "\"is_within_tolerance\": false"));
+  CHECK(contains(report, "\"is_faultless\": false"));
+  CHECK(number_after(report, "\"deviation\": {", "maximum") <= 0.005);
+  CHECK(number_after(report, "\"free_edge\": {", "maximum") == Approx(0.8 / 24).epsilon(1e-3));
 }
 
 TEST_CASE("corners that fit the border but not the given cones are refused, with what would fit")

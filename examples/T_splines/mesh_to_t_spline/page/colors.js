@@ -2,9 +2,14 @@
 
 const coneColors = { 1: "#7b1fa2", 2: "#d81b60", 3: "#e53935", 5: "#1e66d0", 6: "#00a2a8", 7: "#2e9e44", 8: "#8bb021" };
 
+const cornerColors = { 1: "#7b1fa2", 3: "#e53935", 4: "#e8710a" };
+
 const jointColor = [1, 1, 1];
 
 function coneColor(k) { return coneColors[k] || (k < 1 ? "#000000" : "#f2b705"); }
+
+// Of a corner of the border, where 2 quarter turns are regular.
+function cornerColor(k) { return cornerColors[k] || "#00a2a8"; }
 
 function colorComponents(hex) { return [1, 3, 5].map(i => parseInt(hex.slice(i, i + 2), 16) / 255); }
 
@@ -16,6 +21,6 @@ const deviationColors = ["#fcfdbf", "#fecf92", "#fe9f6d", "#f7705c", "#de4968", 
 
 const undefinedColor = "#8f9499";
 
-const extraordinaryColor = "#f2b705", netColor = "#008577", edgeColor = "#172138";
+const extraordinaryColor = "#f2b705", netColor = "#008577", edgeColor = "#172138", borderColor = "#0b6bcb";
 
 function glslColor(hex) { return `vec3(${colorComponents(hex).map(x => x.toFixed(4)).join(", ")})`; }

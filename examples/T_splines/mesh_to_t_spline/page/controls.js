@@ -31,7 +31,9 @@ function listenForLayerKeys(options, layers, refresh) {
     if (event.ctrlKey || event.metaKey || event.altKey)
       return;
     const toggled = { n: "net", e: "edges", c: "compared" }[event.key];
-    if (options.view.ofSpline && toggled)
+    if (event.key === "b")
+      options.border = !options.border;
+    else if (options.view.ofSpline && toggled)
       options[toggled] = !options[toggled];
     else if (!options.view.ofSpline && event.key === "t" && layers.length > 1)
       options.tMesh = options.tMesh === 1 ? 2 : 1;
@@ -42,7 +44,7 @@ function listenForLayerKeys(options, layers, refresh) {
 }
 
 // Check boxes, lists and sliders, each with what tells whether a view has it. \return what brings all up to date.
-function makeToggles(options, layers, refresh) {
+function makeToggles(options, layers, hasBorder, refresh) {
   const toggles = document.getElementById("toggles"), updates = [];
   const add = (control, label, property, isShown) => {
     control.addEventListener("input", () => {
@@ -71,6 +73,7 @@ function makeToggles(options, layers, refresh) {
   check("control net", "net", view => view.ofSpline);
   check("patch edges", "edges", view => view.ofSpline);
   check("extraordinary points", "points", view => view.ofSpline);
+  check("border", "border", () => hasBorder);
   check("compare with the input", "compared", view => view.ofSpline);
   list(["horizontal lines", "vertical lines", "rings"], "light lines", "lights", isView("reflection"));
   slider("density", -2, 2, "lineOctaves", isView("reflection"));
@@ -86,7 +89,7 @@ function makeToggles(options, layers, refresh) {
 
 // Radio buttons for the views, check boxes for what is drawn on top; `changed` is called after each change. Returns what
 // brings all of them up to date after the options were changed elsewhere.
-function makeControls(options, views, layers, changed) {
+function makeControls(options, views, layers, hasBorder, changed) {
   const group = document.getElementById("views");
   const buttons = views.map(view => {
     const button = element("button", { role: "radio", type: "button" }, view.name);
@@ -100,7 +103,8 @@ function makeControls(options, views, layers, changed) {
     changed();
   };
   const markLayer = makeLayerControls(options, layers, () => refresh());
-  const updateToggles = makeToggles(options, layers, () => refresh());
+  const updateToggles = makeToggles(options, layers, hasBorder, () => refresh());
+  document.getElementById("border_help").hidden = !hasBorder;
   listenForLayerKeys(options, layers, () => refresh());
   const titles = views.some(view => view.ofSpline) ? [["T-spline", true], ["Map", false]] : [["", false]];
   for (const [title, ofSpline] of titles)
@@ -113,7 +117,7 @@ function makeControls(options, views, layers, changed) {
 // The part after # in the address presets the view, e.g. #view=reflection&edges=1&turn=30,10: `view` is a key of
 // `allViews`, or the number of a view of the map; `t_mesh` is the number of a layer; `turn` (degrees to the right, down)
 // and `zoom` (larger is nearer) move the camera; `place` goes to a place of
-// the deviation: worst, angle or intersection; `compare` is the divider's place, from 0 on the left to 1; every other name is that of an option, with a number or 0 or 1.
+// the deviation: worst, angle, intersection or border; `compare` is the divider's place, from 0 on the left to 1; every other name is that of an option, with a number or 0 or 1.
 // Returns whether the camera was moved.
 function presetFromAddress(options, views, camera, goTo) {
   let isMoved = false;

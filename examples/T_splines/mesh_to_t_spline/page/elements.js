@@ -11,6 +11,8 @@ function element(name, attributes = {}, ...children) {
 
 function countText(n) { return n.toLocaleString("en-US"); }
 
+function counted(n, one) { return `${countText(n)} ${one}${n === 1 ? "" : "s"}`; }
+
 function shortNumber(x) {
   if (x === null || x === undefined)
     return "not finite";

@@ -86,10 +86,15 @@ function mapQuality(measure) {
   return { mean: weighted / total, worst, flipped };
 }
 
+// Of an open mesh.
+function borderFacts({ borders }, { corners }) {
+  return borders > 0 ? [`${counted(borders, "border")}, ${counted(corners.length, "corner")}`] : [];
+}
+
 function showVerdict({ input, signature, map, exact_map, t_mesh, t_spline }) {
   document.title = `${input.name}: ${t_spline ? "T-spline surface" : t_mesh ? "T-mesh" : "seamless similarity map"}`;
   document.getElementById("title").textContent = input.name;
-  const facts = [`genus ${input.genus}`, `${countText(signature.cones.length)} cones`];
+  const facts = [`genus ${input.genus}`, counted(signature.cones.length, "cone"), ...borderFacts(input, signature)];
   if (map)
     facts.unshift(`residual ${shortNumber(map.residual)}`, `${map.iterations} iterations`);
   if (t_mesh) {
@@ -101,10 +106,12 @@ function showVerdict({ input, signature, map, exact_map, t_mesh, t_spline }) {
   if (t_spline) {
     const { deviation } = t_spline;
     const errors = [];
-    if (deviation)
-      errors.push(`max ${percentText(deviation.maximum)} both ways, tolerance ${percentText(t_spline.tolerance)}`);
+    if (deviation) {
+      const ofBorder = deviation.free_edge ? `, free edge ${percentText(deviation.free_edge.maximum)}` : "";
+      errors.push(`max ${percentText(deviation.maximum)} both ways${ofBorder}, tolerance ${percentText(t_spline.tolerance)}`);
+    }
     errors.push(`${countText(t_spline.levels[t_spline.best_level].control_points)} control points`,
-      `genus ${input.genus}`, `${countText(signature.cones.length)} cones`);
+      `genus ${input.genus}`, counted(signature.cones.length, "cone"), ...borderFacts(input, signature));
     verdict.append(verdictOf(t_spline), ["", ...errors].join("  ·  "));
     return;
   }
@@ -199,10 +206,11 @@ function convergenceSection(map) {
     ["flips to intrinsic Delaunay", map.delaunay_flips], ["flips on the way", map.flips], ["mantissa bits", map.mantissa_bits]]));
 }
 
-function meshSection({ input, refined }, measure) {
+function meshSection({ input, signature, refined }, measure) {
   const rows = [
     ["input vertices", input.vertices], ["input faces", input.faces], ["genus", input.genus], ["components", input.components],
     ...(input.holes ? [["holes filled", input.holes.filled], ["holes left", input.holes.larger + input.holes.failed]] : []),
+    ...(input.borders > 0 ? [["border curves", input.borders], ["corners", signature.corners.length]] : []),
     ["refined vertices", refined.vertices], ["refined faces", refined.faces], ["cut edges", refined.cut_edges],
     ["largest / smallest scale", refined.scale_range]];
   if (measure) {
@@ -220,7 +228,8 @@ function showFigures(report, measure) {
               : report.input.genus > 0 ? "" : "No loops: every closed curve is contractible.";
   showVerdict(report);
   document.getElementById("figures").append(
-    ...(t_spline ? [...(t_spline.deviation ? [deviationSection(t_spline)] : []), fitSection(t_spline), splineSection(t_spline)] : []), ...(t_mesh ? [tMeshSection(t_mesh)] : []), conesSection(signature),
+    ...(t_spline ? [...(t_spline.deviation ? [deviationSection(t_spline)] : []),
+      ...(t_spline.deviation && t_spline.deviation.free_edge ? [freeEdgeSection(t_spline)] : []), fitSection(t_spline), splineSection(t_spline)] : []), ...(t_mesh ? [tMeshSection(t_mesh)] : []), conesSection(signature),
     ...(map ? [convergenceSection(map)] : []),
     section("Time", stageBars(report.stages), note(`${seconds(report.seconds)} in all${memory}. Memory: the most until the stage's end.`)),
     ...(exact_map ? [exactMapSection(exact_map)] : []), ...(t_mesh ? [tracingSection(t_mesh)] : []),

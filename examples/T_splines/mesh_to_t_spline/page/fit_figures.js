@@ -96,9 +96,10 @@ function fitSection(spline) {
       ["faces of the T-mesh before the fit", spline.faces_before_fit]]));
 }
 
-function placeText({ t_mesh_face, u, v, mesh_face, point }) {
+function placeText({ t_mesh_face, u, v, mesh_face, mesh_edge, point }) {
   const numbers = values => values.map(x => String(+x.toPrecision(5))).join(", ");
-  return `(${numbers(point)}): face ${t_mesh_face} of the T-mesh at (${numbers([u, v])}), face ${mesh_face} of the mesh`;
+  const ofMesh = mesh_edge ? `edge from vertex ${mesh_edge[0]} to ${mesh_edge[1]}` : `face ${mesh_face}`;
+  return `(${numbers(point)}): face ${t_mesh_face} of the T-mesh at (${numbers([u, v])}), ${ofMesh} of the mesh`;
 }
 
 // Rounded down: 100 % only if it is all.
@@ -108,15 +109,15 @@ function placeButton(key, name) {
   return element("button", { type: "button", class: "place", "data-place": key }, name);
 }
 
-// How far surface and mesh are apart, both ways.
-function distanceTable({ surface_to_mesh: toMesh, mesh_to_surface: toSurface }, tolerance) {
+// How far surface and mesh, or their borders, are apart, both ways.
+function distanceTable({ surface_to_mesh: toMesh, mesh_to_surface: toSurface }, tolerance, measure = "area") {
   const head = element("thead", {}, element("tr", {}, ...["", "surface to mesh", "mesh to surface"]
     .map(name => element("th", {}, name))));
   const row = (name, text) => element("tr", {}, element("th", { scope: "row" }, name),
     ...[toMesh, toSurface].map(way => element("td", {}, text(way))));
   const maximum = way => element("span", { class: way.maximum <= tolerance ? "good" : "bad" }, percentText(way.maximum));
   const rows = [row("max", maximum), row("at most (proven)", way => percentText(way.upper_bound)), row("rms", way => percentText(way.rms)),
-    row("area within tolerance", way => shareText(way.share_within_tolerance)),
+    row(`${measure} within tolerance`, way => shareText(way.share_within_tolerance)),
     row("within half of it", way => shareText(way.share_within_half))];
   return element("table", { class: "columns narrow" }, head, element("tbody", {}, ...rows));
 }
@@ -141,12 +142,29 @@ function deviationSection(spline) {
       ...(intersections > 0 ? [placeButton("intersection", "self-intersection")] : [])));
 }
 
+// The panel of the measured distances between the borders.
+function freeEdgeSection({ deviation: { free_edge: freeEdge }, tolerance, corners }) {
+  const counts = Object.entries(corners).map(([k, count]) => {
+    const swatch = element("span", { class: "swatch", style: `background: ${cornerColor(+k)}` });
+    return [element("span", {}, swatch, `corners, k = ${k}, angle ${90 * k}°`), countText(count)];
+  });
+  const offBy = freeEdge.corners > 0 ? [["corners off by at most", percentText(freeEdge.largest_corner_distance, 2)]] : [];
+  const key = element("p", { class: "note" }, element("span", { class: "stroke", style: `background: ${borderColor}` }),
+    "the border; in the view of the deviation ", element("span", { class: "stroke thin", style: `background: ${edgeColor}` }), "that of the mesh. "
+    + `The largest distance between the two is at ${placeText(freeEdge.worst)}.`);
+  return section("Free edge", distanceTable(freeEdge, tolerance, "length"), table([...counts, ...offBy]), key,
+    element("p", { class: "places" }, "Go to: ", placeButton("border", "worst place of the border")));
+}
+
 // The places that the page can go to, in the units of the model.
 function knownPlaces(spline) {
   if (!spline || !spline.deviation)
     return {};
-  const { worst, worst_angle, self_intersection } = spline.deviation;
-  return { worst: worst.point, angle: worst_angle.point, ...(self_intersection ? { intersection: self_intersection } : {}) };
+  const { worst, worst_angle, self_intersection, free_edge } = spline.deviation;
+  return {
+    worst: worst.point, angle: worst_angle.point, ...(self_intersection ? { intersection: self_intersection } : {}),
+    ...(free_edge ? { border: free_edge.worst.point } : {})
+  };
 }
 
 function splineSection(spline) {

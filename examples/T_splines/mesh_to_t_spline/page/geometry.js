@@ -197,6 +197,25 @@ function surfaceBuffers(mesh, measure, cell) {
   return buffers;
 }
 
+// The sides of triangles that have no other triangle: 6 coordinates per edge.
+function borderSegments({ positions, uvVertices, triangles }) {
+  const count = positions.length / 3, sides = new Map();
+  for (let c = 0; c < triangles.length; ++c) {
+    const v = uvVertices[triangles[c]], w = uvVertices[triangles[c % 3 === 2 ? c - 2 : c + 1]];
+    const key = Math.min(v, w) * count + Math.max(v, w);
+    if (!sides.delete(key))
+      sides.set(key, [v, w]);
+  }
+  const segments = new Float32Array(6 * sides.size);
+  let end = 0;
+  for (const [v, w] of sides.values()) {
+    segments.set(positions.subarray(3 * v, 3 * v + 3), end);
+    segments.set(positions.subarray(3 * w, 3 * w + 3), end + 3);
+    end += 6;
+  }
+  return segments;
+}
+
 // The cut, each edge once: 6 coordinates per edge.
 function cutSegments(mesh) {
   const segments = [];

@@ -161,10 +161,18 @@ function firstOptions({ spline, tMeshes, diagonal }, views, area, numberOfCones,
     view: views.find(view => view.key === (spline ? "shaded" : tMeshes.length > 0 ? "shape" : "checker")),
     wire: 0, tMesh: tMeshes.length, cut: tMeshes.length === 0, cones: true, joints: true, cellOctaves: 0, coneRadius,
     jointRadius: Math.min(0.7 * coneRadius, 0.07 * Math.sqrt(area / mostJoints)),
-    net: false, edges: false, points: true, compared: false, compare: 0.5, lights: 0, lineOctaves: 0, rangeOctaves: 0,
+    net: false, edges: false, points: true, border: true, cornerRadius: Math.min(coneRadius, 0.014), compared: false, compare: 0.5, lights: 0, lineOctaves: 0, rangeOctaves: 0,
     deviationOctaves: 0, curvatureRange: ofSpline ? curvatureRange(ofSpline.curvature.distribution, diagonal) : 1,
     deviationRange: spline ? deviationRange(spline.deviation) : 1
   };
+}
+
+// The corners of the border of the mesh, as balls and with texts.
+function cornersOf(signature, { positions }) {
+  return signature.corners.map(({ vertex, quarter_turns: k }) => ({
+    center: [...positions.subarray(3 * vertex, 3 * vertex + 3)], color: colorComponents(cornerColor(k)),
+    text: `vertex ${vertex}, corner of the border: k = ${k}`
+  }));
 }
 
 function start() {
@@ -192,11 +200,16 @@ function start() {
   }));
   renderer.setSurface(buffers);
   renderer.setCut(cutSegments(mesh));
+  const border = borderSegments(mesh), corners = cornersOf(report.signature, mesh);
+  renderer.setBorder(border, new Float32Array(corners.flatMap(corner => corner.center)),
+    new Float32Array(corners.flatMap(corner => corner.color)));
   renderer.setTMeshes(tMeshes);
   renderer.setCones(new Float32Array(cones.flatMap(cone => cone.center)), new Float32Array(cones.flatMap(cone => cone.color)));
   if (spline)
     renderer.setSpline(splineBuffers(spline), spline);
   const extraordinary = spline ? pointList(spline.extraordinary).map(center => ({ center, text: "extraordinary point" })) : [];
+  const splineCorners = spline
+    ? pointList(spline.corners).map((center, i) => ({ center, text: `corner of the border: k = ${spline.cornerTurns[i]}` })) : [];
   const ofSpline = spline && {
     curvature: { distribution: curvatureDistribution(spline), diagonal }, deviation: deviationFacts(spline, report.t_spline)
   };
@@ -218,7 +231,7 @@ function start() {
       requestAnimationFrame(() => { requested = false; draw(); });
     requested = true;
   };
-  const refresh = makeControls(options, views, tMeshes, () => {
+  const refresh = makeControls(options, views, tMeshes, border.length > 0, () => {
     showLegend(options, buffers.scaleRange, ofSpline);
     showDivider(options);
     redraw();
@@ -231,7 +244,8 @@ function start() {
     });
   listenToDivider(options, redraw);
   listen(canvas, camera, aspect, redraw);
-  const marked = () => options.view.ofSpline ? (options.points ? extraordinary : []) : (options.cones ? cones : []);
+  const marked = () => [...(options.view.ofSpline ? (options.points ? extraordinary : []) : (options.cones ? cones : [])),
+    ...(options.border ? (options.view.ofSpline ? splineCorners : corners) : [])];
   showTooltips(canvas, camera, aspect, marked);
   canvas.addEventListener("dblclick", event => {
     const box = canvas.getBoundingClientRect();

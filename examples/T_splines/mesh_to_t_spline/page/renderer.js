@@ -91,7 +91,7 @@ class Renderer {
     };
   }
 
-  setSpline(buffers, { net, edges, extraordinary }) {
+  setSpline(buffers, { net, edges, border, extraordinary, corners, cornerTurns }) {
     const gl = this.gl, array = this.vertexArray([
       { data: buffers.position, size: 3 }, { data: buffers.normal, size: 3 }, { data: buffers.values, size: 3 }]);
     gl.bindVertexArray(array);
@@ -100,7 +100,9 @@ class Renderer {
     gl.bindVertexArray(null);
     const color = colorComponents(extraordinaryColor);
     this.spline = {
-      array, corners: buffers.triangles.length, net: this.lines(net), edges: this.lines(edges),
+      array, size: buffers.triangles.length, net: this.lines(net), edges: this.lines(edges),
+      border: this.lines(border),
+      corners: this.balls(corners, new Float32Array([...cornerTurns].flatMap(k => colorComponents(cornerColor(k))))),
       extraordinary: this.balls(extraordinary, extraordinary.map((_, i) => color[i % 3]))
     };
   }
@@ -111,6 +113,12 @@ class Renderer {
   }
 
   setCut(segments) { this.cut = this.lines(segments); }
+
+  // Of the mesh.
+  setBorder(segments, centers, colors) {
+    this.border = this.lines(segments);
+    this.corners = this.balls(centers, colors);
+  }
 
   // Layers of lines with balls on them, of which one is drawn or none.
   setTMeshes(tMeshes) {
@@ -165,6 +173,7 @@ class Renderer {
     gl.enable(gl.SCISSOR_TEST);
     gl.scissor(0, 0, left, frame.height);
     this.drawSurface(frame, options, meshMode);
+    this.drawBorder(frame, options, this);
     gl.scissor(left, 0, frame.width - left, frame.height);
     this.drawSpline(frame, options);
     gl.disable(gl.SCISSOR_TEST);
@@ -181,10 +190,11 @@ class Renderer {
     gl.drawArrays(gl.TRIANGLES, 0, this.surface.corners);
   }
 
-  drawLines({ camera, ratio, width, height, aspect }, lines, thickness, color) {
+  drawLines({ camera, ratio, width, height, aspect }, lines, thickness, color, depth = 0.9985) {
     const gl = this.gl, line = this.use(this.programs.line, camera, aspect);
     gl.uniform2f(line.viewport, width, height);
     gl.uniform1f(line.thickness, thickness * ratio);
+    gl.uniform1f(line.depth, depth);
     gl.uniform3f(line.lineColor, ...color);
     gl.bindVertexArray(lines.array);
     gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, lines.count);
@@ -198,6 +208,15 @@ class Renderer {
     gl.drawArraysInstanced(gl.TRIANGLES, 0, balls.corners, balls.count);
   }
 
+  // Of the mesh or of the surface.
+  drawBorder(frame, options, { border, corners }) {
+    if (!options.border || border.count === 0)
+      return;
+    this.drawLines(frame, border, 3, colorComponents(borderColor), 0.998); // over other lines
+    if (corners.count > 0)
+      this.drawBalls(frame, corners, options.cornerRadius, 4);
+  }
+
   drawMap(frame, options) {
     this.drawSurface(frame, options, options.view.mode);
     const tMesh = this.tMeshes[options.tMesh - 1];
@@ -205,6 +224,7 @@ class Renderer {
       this.drawLines(frame, this.cut, 2.2, [0.84, 0.36, 0.05]);
     if (tMesh)
       this.drawLines(frame, tMesh.lines, 1.7, [0.09, 0.13, 0.22]);
+    this.drawBorder(frame, options, this);
     if (tMesh && options.joints && tMesh.joints.count > 0)
       this.drawBalls(frame, tMesh.joints, options.jointRadius, Math.min(2.6, Math.max(1.3, 80 / Math.sqrt(tMesh.joints.count))));
     if (options.cones && this.cones.count > 0)
@@ -219,11 +239,14 @@ class Renderer {
     gl.uniform1f(spline.curvatureRange, options.curvatureRange * 2 ** options.rangeOctaves);
     gl.uniform1f(spline.deviationRange, options.deviationRange * 2 ** options.deviationOctaves);
     gl.bindVertexArray(this.spline.array);
-    gl.drawElements(gl.TRIANGLES, this.spline.corners, gl.UNSIGNED_INT, 0);
+    gl.drawElements(gl.TRIANGLES, this.spline.size, gl.UNSIGNED_INT, 0);
     if (options.edges && this.spline.edges.count > 0)
       this.drawLines(frame, this.spline.edges, 1.4, colorComponents(edgeColor));
     if (options.net && this.spline.net.count > 0)
       this.drawLines(frame, this.spline.net, 1.3, colorComponents(netColor));
+    if (options.border && options.view.key === "deviation" && this.border.count > 0)
+      this.drawLines(frame, this.border, 1.3, colorComponents(edgeColor));
+    this.drawBorder(frame, options, this.spline);
     if (options.points && this.spline.extraordinary.count > 0)
       this.drawBalls(frame, this.spline.extraordinary, options.coneRadius, 0);
   }

@@ -141,11 +141,11 @@ layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
 uniform mat4 view, projection;
 uniform vec2 viewport;
-uniform float thickness;
+uniform float thickness, depth; // the latter less than 1: nearer than what the line lies on
 void main() {
   vec4 p = view * vec4(from, 1.0), q = view * vec4(to, 1.0);
-  p.xyz *= 0.9985;
-  q.xyz *= 0.9985;
+  p.xyz *= depth;
+  q.xyz *= depth;
   vec4 a = projection * p, b = projection * q;
   vec2 along = (b.xy / b.w - a.xy / a.w) * viewport;
   along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);

@@ -2,7 +2,8 @@
 
 // null if there is none. points: 3 coordinates per point, in the frame of the mesh; normals: 3 multiples of 1/32767 per
 // point; curvature: 1 per point, in the units of the model, NaN where undefined; deviation: 1 per point, the distance from the
-// mesh by the longest side; triangles: 3 points each; net, edges: segments; extraordinary: 3 coordinates per point.
+// mesh by the longest side; triangles: 3 points each; net, edges, border: segments; extraordinary, corners: 3 coordinates per point;
+// cornerTurns: 1 per corner, its angle in quarter turns.
 function readSpline() {
   const floats = id => new Float32Array(decode(id)), integers = id => new Uint32Array(decode(id));
   const spline = {
@@ -10,7 +11,8 @@ function readSpline() {
     curvature: floats("spline_curvature"), deviation: floats("spline_deviation"), triangles: integers("spline_triangles"),
     net: polylineSegments(floats("net_points"), integers("net_sizes")),
     edges: polylineSegments(floats("edge_points"), integers("edge_sizes")),
-    extraordinary: floats("extraordinary_points")
+    border: polylineSegments(floats("border_points"), integers("border_sizes")),
+    extraordinary: floats("extraordinary_points"), corners: floats("corner_points"), cornerTurns: integers("corner_turns")
   };
   return spline.triangles.length > 0 ? spline : null;
 }
