@@ -2,14 +2,15 @@
 
 const coneColors = { 1: "#7b1fa2", 2: "#d81b60", 3: "#e53935", 5: "#1e66d0", 6: "#00a2a8", 7: "#2e9e44", 8: "#8bb021" };
 
-const cornerColors = { 1: "#7b1fa2", 3: "#e53935", 4: "#e8710a" };
+// Not those of cones: both are in one picture.
+const cornerColors = { 1: "#3949ab", 3: "#00c2a0", 4: "#ff9800" };
 
 const jointColor = [1, 1, 1];
 
 function coneColor(k) { return coneColors[k] || (k < 1 ? "#000000" : "#f2b705"); }
 
 // Of a corner of the border, where 2 quarter turns are regular.
-function cornerColor(k) { return cornerColors[k] || "#00a2a8"; }
+function cornerColor(k) { return cornerColors[k] || "#5d4037"; }
 
 function colorComponents(hex) { return [1, 3, 5].map(i => parseInt(hex.slice(i, i + 2), 16) / 255); }
 

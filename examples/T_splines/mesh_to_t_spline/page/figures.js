@@ -196,7 +196,11 @@ function conesSection(signature) {
   const change = reduction && reduction.cones < reduction.cones_before ? "reduced" : "split";
   const changed = reduction && reduction.merges + reduction.splits > 0
     ? ` Its ${countText(reduction.cones_before)} cones were ${change} to ${countText(reduction.cones)}.` : "";
-  return section("Cones", coneLegend(signature.cones), note(`Signature: ${signature.source}.${changed}`), cut);
+  const corners = {};
+  for (const { quarter_turns: k } of signature.corners)
+    corners[k] = (corners[k] || 0) + 1;
+  const ofBorder = signature.corners.length > 0 ? [table(cornerRows(corners))] : [];
+  return section("Cones", coneLegend(signature.cones), ...ofBorder, note(`Signature: ${signature.source}.${changed}`), cut);
 }
 
 function convergenceSection(map) {

@@ -142,17 +142,21 @@ function deviationSection(spline) {
       ...(intersections > 0 ? [placeButton("intersection", "self-intersection")] : [])));
 }
 
-// The panel of the measured distances between the borders.
-function freeEdgeSection({ deviation: { free_edge: freeEdge }, tolerance, corners }) {
-  const counts = Object.entries(corners).map(([k, count]) => {
+// counts: how many corners of the border have each number of quarter turns.
+function cornerRows(counts) {
+  return Object.entries(counts).map(([k, count]) => {
     const swatch = element("span", { class: "swatch", style: `background: ${cornerColor(+k)}` });
     return [element("span", {}, swatch, `corners, k = ${k}, angle ${90 * k}°`), countText(count)];
   });
+}
+
+// The panel of the measured distances between the borders.
+function freeEdgeSection({ deviation: { free_edge: freeEdge }, tolerance, corners }) {
   const offBy = freeEdge.corners > 0 ? [["corners off by at most", percentText(freeEdge.largest_corner_distance, 2)]] : [];
   const key = element("p", { class: "note" }, element("span", { class: "stroke", style: `background: ${borderColor}` }),
     "the border; in the view of the deviation ", element("span", { class: "stroke thin", style: `background: ${edgeColor}` }), "that of the mesh. "
     + `The largest distance between the two is at ${placeText(freeEdge.worst)}.`);
-  return section("Free edge", distanceTable(freeEdge, tolerance, "length"), table([...counts, ...offBy]), key,
+  return section("Free edge", distanceTable(freeEdge, tolerance, "length"), table([...cornerRows(corners), ...offBy]), key,
     element("p", { class: "places" }, "Go to: ", placeButton("border", "worst place of the border")));
 }
 

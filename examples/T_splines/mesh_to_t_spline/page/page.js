@@ -154,14 +154,15 @@ function showProblem(text) {
   document.getElementById("help").hidden = true;
 }
 
-function firstOptions({ spline, tMeshes, diagonal }, views, area, numberOfCones, ofSpline) {
+function firstOptions({ spline, tMeshes, diagonal }, views, area, { cones, corners }, ofSpline) {
+  const numberOfCones = cones.length, numberOfCorners = corners.length;
   const coneRadius = Math.min(0.016, 0.09 * Math.sqrt(area / Math.max(40, numberOfCones)));
   const mostJoints = Math.max(40, ...tMeshes.map(tMesh => tMesh.joints.length / 3));
   return {
     view: views.find(view => view.key === (spline ? "shaded" : tMeshes.length > 0 ? "shape" : "checker")),
     wire: 0, tMesh: tMeshes.length, cut: tMeshes.length === 0, cones: true, joints: true, cellOctaves: 0, coneRadius,
     jointRadius: Math.min(0.7 * coneRadius, 0.07 * Math.sqrt(area / mostJoints)),
-    net: false, edges: false, points: true, border: true, cornerRadius: Math.min(coneRadius, 0.014), compared: false, compare: 0.5, lights: 0, lineOctaves: 0, rangeOctaves: 0,
+    net: false, edges: false, points: true, border: true, cornerRadius: 0.014 * Math.min(1, Math.sqrt(40 / Math.max(1, numberOfCorners))), compared: false, compare: 0.5, lights: 0, lineOctaves: 0, rangeOctaves: 0,
     deviationOctaves: 0, curvatureRange: ofSpline ? curvatureRange(ofSpline.curvature.distribution, diagonal) : 1,
     deviationRange: spline ? deviationRange(spline.deviation) : 1
   };
@@ -215,7 +216,7 @@ function start() {
   };
 
   const views = allViews.filter(view => spline || !view.ofSpline);
-  const options = firstOptions(data, views, area, cones.length, ofSpline);
+  const options = firstOptions(data, views, area, report.signature, ofSpline);
   const camera = spline ? new Camera(spline.points, radiusOf(mesh.positions, spline.points, spline.net))
                         : new Camera(mesh.positions, 1);
   const aspect = () => canvas.clientWidth / Math.max(1, canvas.clientHeight);

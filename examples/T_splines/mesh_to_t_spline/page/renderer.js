@@ -214,7 +214,7 @@ class Renderer {
       return;
     this.drawLines(frame, border, 3, colorComponents(borderColor), 0.998); // over other lines
     if (corners.count > 0)
-      this.drawBalls(frame, corners, options.cornerRadius, 4);
+      this.drawBalls(frame, corners, options.cornerRadius, Math.min(4, 26 / Math.sqrt(corners.count)));
   }
 
   drawMap(frame, options) {
