@@ -53,7 +53,8 @@ public:
   /// Whether both faces of an edge are second ones.
   bool is_image_edge(const Triangulation_connectivity& mesh, const Index e) const
   {
-    return is_image(mesh.face(halfedge_of_edge(e))) && is_image(mesh.face(opposite(halfedge_of_edge(e))));
+    return !is_empty() && is_image(mesh.face(halfedge_of_edge(e))) &&
+           is_image(mesh.face(opposite(halfedge_of_edge(e))));
   }
 
   /// Whether both faces of an edge have images, and are not the images of each other: then the edge has an image, which
