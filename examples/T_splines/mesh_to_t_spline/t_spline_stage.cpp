@@ -272,7 +272,7 @@ Failure make_t_spline(const Options& options, Chosen_spd_solver_traits& solver, 
   results.surface_drawing = drawing_of(surface, spline, 400000);
   draw_deviation(results, figures.longest_side);
   progress.end_stage();
-  figures.deviation = figures_of(results.approximation->report().fit, mesh);
+  figures.deviation = figures_of(results.approximation->report().fit, results.approximation->mesh());
   set_surface_figures(results, figures);
   return failure;
 }

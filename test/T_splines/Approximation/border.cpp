@@ -4,6 +4,7 @@
 // Surfaces that are fitted to open meshes end where these end.
 
 #include <CGAL/T_splines/Approximation/approximate_by_T_spline.h>
+#include <CGAL/T_splines/IO/read_triangle_mesh.h>
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace border_test {
@@ -156,6 +158,18 @@ TEST_CASE("a flat mesh with holes becomes a flat surface", "[border]")
     REQUIRE(T::tessellate_T_spline(spline.surface(), 8, surface));
     for (const Vertex v : surface.vertices())
       REQUIRE(std::abs(surface.point(v).z()) <= 1e-12);
+  }
+}
+
+TEST_CASE("faces with two edges on the border, and corners of four quarters where scale factors differ", "[border]")
+{
+  for (const std::string name : {"blobby_3cc.off", "pig.off"}) {
+    Mesh mesh;
+    REQUIRE(T::read_triangle_mesh(std::string(T_SPLINES_DEMO_DATA) + "/meshes/" + name, mesh).success());
+    T::T_spline<Kernel> spline;
+    const auto report = T::approximate_by_T_spline(mesh, spline);
+    INFO(name << ": " << describe(report, mesh));
+    CHECK(report.within_tolerance());
   }
 }
 

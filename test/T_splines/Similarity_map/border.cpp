@@ -12,7 +12,9 @@
 #include <CGAL/T_splines/Similarity_map/make_exactly_seamless.h>
 #include <CGAL/T_splines/named_parameters.h>
 
+#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <boost/math/special_functions/ellint_1.hpp>
 
@@ -22,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <random>
@@ -237,6 +240,21 @@ Mesh closed_double(const Mesh& mesh, std::vector<Vertex>& image)
   return result;
 }
 
+// Adds two triangles to each curve of the border, one upon the other, so that each has one neighbour or two.
+void add_ears(Mesh& mesh)
+{
+  std::vector<Halfedge> curves;
+  CGAL::Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(curves));
+  for (Halfedge h : curves)
+    for (int i = 0; i < 2; ++i) {
+      const Point_3 p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h));
+      const Kernel::Vector_3 way = q - p, left(-way.y(), way.x(), 0);
+      h = CGAL::Euler::add_vertex_and_face_to_border(mesh.prev(h), h, mesh);
+      mesh.point(mesh.target(h)) = CGAL::midpoint(p, q) + left / 2;
+      h = mesh.is_border(h) ? h : mesh.opposite(h);
+    }
+}
+
 // The map of the disk to a rectangle whose corners are at the angles +-alpha and pi +- alpha: the ratio of its sides.
 double ratio_of_disk(const int rings, const int corner)
 {
@@ -435,8 +453,9 @@ TEST_CASE("flips at degeneracies meet the signature of a mesh with border", "[bo
 
 TEST_CASE("corners that turn inwards, holes, and cones beside them", "[border]")
 {
-  Mesh l = l_shape(10), plate = perforated_plate(3, 4), round = disk(12);
-  for (Mesh* const mesh : {&l, &plate, &round}) {
+  Mesh l = l_shape(10), plate = perforated_plate(3, 4), round = disk(12), with_ears = perforated_plate(2, 4);
+  add_ears(with_ears);
+  for (Mesh* const mesh : {&l, &plate, &round, &with_ears}) {
     const Signature signature = guided(*mesh);
     const Mapped mapped(*mesh, signature);
     CHECK(mapped.refined.number_of_faces() >= mesh->number_of_faces());

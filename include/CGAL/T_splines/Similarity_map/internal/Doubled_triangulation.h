@@ -144,15 +144,24 @@ private:
 };
 
 /// The strip of faces along a curve of the border, which it leaves on its right: closed, it turns as often as the
-/// corners of the curve say. \param curve as of `border_curves()`
+/// corners of the curve say. Faces with two edges on the border it passes by, as it would have to turn back there.
+/// \param curve as of `border_curves()`
 inline std::vector<int> strip_along_border(const Triangulation_connectivity& mesh, const std::vector<int>& curve)
 {
-  std::vector<int> result;
+  std::vector<int> strip;
   for (auto border = curve.rbegin(); border != curve.rend(); ++border)
     for (int g = opposite(mesh.next(opposite(*border))); mesh.face(g) != Triangulation_connectivity::null;
-         g = opposite(mesh.next(g)))
-      result.push_back(g);
-  return result;
+         g = opposite(mesh.next(g))) {
+      if (!strip.empty() && strip.back() == opposite(g))
+        strip.pop_back();
+      else
+        strip.push_back(g);
+    }
+  std::size_t begin = 0, end = strip.size();
+  for (; begin + 1 < end && strip[begin] == opposite(strip[end - 1]); --end)
+    ++begin;
+  return std::vector<int>(strip.begin() + static_cast<std::ptrdiff_t>(begin),
+                          strip.begin() + static_cast<std::ptrdiff_t>(end));
 }
 
 } // namespace internal

@@ -33,8 +33,8 @@ namespace internal {
 /// parts of it. Only the first corner is found in numbers of the type `FT`; the others follow one from the other by the
 /// shapes of the triangles, so that round-off grows with the size of the face and its triangles, not with that of the
 /// charts. The rectangle is enlarged by more than this round-off, in order that no triangle is missed. That does no
-/// harm: ways in it differ from ways in the face only if they go around a cone, and cones are corners; edges that
-/// leave a corner are crossed only if they lead into the rectangle.
+/// harm: ways in it differ from ways in the face only if they go around a cone or a corner of the border, and those are corners;
+/// edges that leave a corner are crossed only if they lead into the rectangle.
 template <typename FT>
 class Face_triangles {
   using Layout = Seamless_layout<FT>;
@@ -54,10 +54,15 @@ public:
     : m_layout(layout),
       m_mesh(layout.mesh()),
       m_vectors(layout.mesh().number_of_halfedges()),
+      m_is_regular(layout.mesh().number_of_vertices()),
       m_last_image(layout.mesh().number_of_faces(), none)
   {
+    for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      m_is_regular[v] = layout.quarter_turns(v) == 4;
     for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
-      if (m_mesh.face(h) != none)
+      if (m_mesh.face(h) == none)
+        m_is_regular[m_mesh.target(h)] = 0;
+      else
         for (int axis = 0; axis < 2; ++axis)
           m_vectors[h][axis] = difference(layout.coordinate(h, axis), layout.coordinate(m_mesh.previous(h), axis));
     for (int b = 0; b < layout.number_of_branches(); ++b)
@@ -256,7 +261,7 @@ private:
     const int source = (side + 2) % 3;
     for (const auto& [from, to] : {std::pair<int, int>(source, side), std::pair<int, int>(side, source)}) {
       Vector inwards;
-      if (m_layout.quarter_turns(m_mesh.target(corner[from])) != 4 && is_corner_of_face(image, from, inwards))
+      if (m_is_regular[m_mesh.target(corner[from])] == 0 && is_corner_of_face(image, from, inwards))
         return leads_inwards(image.corner[from], image.corner[to], inwards);
     }
     return meets_rectangle(image, image.corner[source], image.corner[side]);
@@ -328,6 +333,7 @@ private:
   const Triangulation_connectivity& m_mesh;
   std::vector<Vector> m_vectors;       // per halfedge: from its source to its target, in the chart of its face
   std::vector<double> m_branch_scales; // of the transitions
+  std::vector<char> m_is_regular;      // per vertex: inside, and no cone
   std::vector<int> m_last_image;       // per triangle: the head of the list of its images
   std::vector<Image> m_images;         // those of a face are consecutive
   std::vector<Vector> m_sizes;         // per face: width, height
