@@ -112,7 +112,7 @@ private:
     if (!report.success())
       return fail(exit_bad_input, m_options.input_file() + ": " + describe(report) + "; " + advice(report));
     say(note(report));
-    std::optional<Figures::Hole_filling> holes;
+    std::optional<Hole_figures> holes;
     if (m_options.largest_hole && !fill_holes(holes.emplace()))
       return false;
     m_results.approximation.emplace(m_results.input);
@@ -129,7 +129,7 @@ private:
       std::cerr << m_options.input_file() << ": note: " << note << "\n";
   }
 
-  bool fill_holes(Figures::Hole_filling& figures)
+  bool fill_holes(Hole_figures& figures)
   {
     m_results.is_data = m_results.input.add_property_map<Face, bool>("f:is_data").first;
     const auto np = CGAL::T_splines::parameters::face_is_data_map(*m_results.is_data);

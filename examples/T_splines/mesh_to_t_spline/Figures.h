@@ -33,12 +33,13 @@ struct T_mesh_stage_figures {
   std::optional<Regularization_figures> regularization;
 };
 
+/// What became of the holes of the input.
+struct Hole_figures {
+  std::size_t filled = 0, faces = 0, larger = 0, failed = 0;
+};
+
 /// Every number of a run: what the summary, `report.json` and `report.html` show.
 struct Figures {
-  /// What became of the holes of the input.
-  struct Hole_filling {
-    std::size_t filled = 0, faces = 0, larger = 0, failed = 0;
-  };
   struct Input {
     std::string name, path, note;
     std::size_t merged_vertices = 0;
@@ -47,7 +48,7 @@ struct Figures {
     std::size_t vertices = 0, edges = 0, faces = 0, components = 0,
                 borders = 0; ///< closed curves of the border
     long genus = 0;          ///< of all components together
-    std::optional<Hole_filling> holes;
+    std::optional<Hole_figures> holes;
   };
   /// What was done to the cones of a computed field.
   struct Cone_reduction {

@@ -227,7 +227,7 @@ inline void print_time(std::ostream& out, const Figures& figures)
 }
 
 /// What became of the holes.
-inline void print_holes(std::ostream& out, const Figures::Hole_filling& holes)
+inline void print_holes(std::ostream& out, const Hole_figures& holes)
 {
   out << "  holes       " << holes.filled << " filled";
   if (holes.filled > 0)
