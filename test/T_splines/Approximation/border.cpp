@@ -97,13 +97,15 @@ Mesh wavy_plate()
 
 TEST_CASE("the border of the surface is that of the mesh, within the tolerance, both ways", "[border]")
 {
-  // The last three have corners that turn inwards, of three quarters and of four.
-  for (Mesh mesh :
-       {hemisphere(), tube(), wavy_plate(), wavy(l_shape(20)), wavy(slit_plate(16, 2)), slit_plate(16, 1)}) {
+  // The last four have corners that turn inwards, of three quarters and of four.
+  for (Mesh mesh : {hemisphere(), tube(), wavy_plate(), wavy(l_shape(20)), wavy(slit_plate(16, 2)), slit_plate(16, 1),
+                    wavy(perforated_plate(2, 3))}) {
     T::T_spline<Kernel> spline;
     const auto report = T::approximate_by_T_spline(mesh, spline);
     INFO(describe(report, mesh));
     REQUIRE(report.within_tolerance());
+    CHECK(report.fit.deviation.normals.number_of_folded_patches == 0);
+    CHECK(report.fit.self_intersections.number_of_new_intersections == 0);
     Mesh surface;
     REQUIRE(T::tessellate_T_spline(spline.surface(), 32, surface));
     const std::vector<Segment> wanted = border_of(mesh), actual = border_of(surface);

@@ -206,7 +206,7 @@ private:
                    CGAL::to_double(FT(p[2] + m_fitted.origin()[2])));
   }
 
-  // Those of the cells, then those of the edges, then those of the border. Their weights are between areas and equal ones:
+  // Those of the cells, then those of the edges, then those of the border, then its corners. Their weights are between areas and equal ones:
   // were they areas, the surface in a narrow cell would be what its large neighbours make of it. Along a sharp edge, a strip
   // of a cell's quarter counts once more. The border is a curve that the surface has to meet: it counts several times.
   std::vector<Sample> fitting_samples() const
@@ -221,6 +221,11 @@ private:
       add(s, 0.25);
     for (const Sampled_place& s : m_border)
       add(s, 4);
+    // Else their neighbours would be where others go well with them, and the surface would fold when they are put there.
+    constexpr double pin = 1e8;
+    for (const auto& corner : m_border_corners)
+      result.push_back(
+          {corner.face, corner.u, corner.v, relative(m_carried.points()[corner.point]), FT(pin * m_mean_area)});
     return result;
   }
 

@@ -89,10 +89,12 @@ public:
     return samples;
   }
 
-  /// A vertex of the T-mesh at a corner of the border, and the number of the surface's point there.
+  /// A vertex of the T-mesh at a corner of the border, the number of the surface's point there, and a place of it.
   struct Border_corner {
     int vertex;
     std::size_t point;
+    int face;
+    FT u, v;
   };
 
   /// The corners of the border: there the surface is where its control point is.
@@ -104,8 +106,10 @@ public:
       if (t_mesh.incoming(v) >= 0 && t_mesh.is_border_vertex(v) && t_mesh.extended_valence(v) != 2)
         t_mesh.for_each_incoming(v, [&](const int h) {
           const std::optional<std::size_t> p = point_at_target(h);
-          if (p && (result.empty() || result.back().vertex != v))
-            result.push_back({v, *p});
+          if (p && (result.empty() || result.back().vertex != v)) {
+            const auto place = t_mesh.target_point(h);
+            result.push_back({v, *p, t_mesh.face(h), place.first, place.second});
+          }
         });
     return result;
   }
