@@ -148,6 +148,31 @@ Soup notched_plate()
   return soup;
 }
 
+/// A run on it with its four corners, which must end well.
+struct Notched_run {
+  const Temporary_directory directory;
+  const std::string output = directory.file("output");
+  const Program_run run;
+  const std::string report;
+
+  explicit Notched_run(const std::string& options)
+    : run(command(options)),
+      report(file_content(output + "/report.json"))
+  {
+    CAPTURE(run.output, run.errors);
+    REQUIRE(run.exit_code == 0);
+  }
+
+private:
+  std::string command(const std::string& options) const
+  {
+    const std::string mesh = directory.file("notch.off");
+    notched_plate().write(mesh);
+    return "'" + mesh + "' --corners '" + written(directory, "0 1\n48 1\n1616 1\n1568 1\n") + "' " + options + " -o '" +
+           output + "'";
+  }
+};
+
 /// The first number of this name after a text.
 double number_after(const std::string& json, const std::string& text, const std::string& name)
 {
@@ -163,16 +188,10 @@ double number_after(const std::string& json, const std::string& text, const std:
 
 TEST_CASE("the distance between the borders is reported, drawn and within the tolerance")
 {
-  const Temporary_directory directory;
-  const std::string mesh = directory.file("notch.off"), output = directory.file("output");
-  const std::string corners = written(directory, "0 1\n48 1\n1616 1\n1568 1\n");
-  notched_plate().write(mesh);
-  const Program_run run("'" + mesh + "' --corners '" + corners + "' --tolerance 0.01 -o '" + output + "'");
-  CAPTURE(run.output, run.errors);
-  REQUIRE(run.exit_code == 0);
-  CHECK(contains(run.output, "deviation   within the tolerance"));
-  CHECK(contains(run.output, "free edge   max "));
-  const std::string report = file_content(output + "/report.json");
+  const Notched_run notched("--tolerance 0.01");
+  CHECK(contains(notched.run.output, "deviation   within the tolerance"));
+  CHECK(contains(notched.run.output, "free edge   max "));
+  const std::string& report = notched.report;
   CHECK(contains(report, "\"is_within_tolerance\": true"));
   const std::string free_edge = "\"free_edge\": {";
   CHECK(number_after(report, free_edge, "maximum") <= 0.01);
@@ -181,7 +200,7 @@ TEST_CASE("the distance between the borders is reported, drawn and within the to
   CHECK(number_after(report, free_edge, "corners") == 4);
   CHECK(number_after(report, free_edge, "largest_corner_distance") <= 1e-14);
   CHECK(contains(report.substr(report.find(free_edge)), "\"mesh_edge\": ["));
-  const std::optional<std::string> page = page_in_browser(output, "view=deviation&place=border");
+  const std::optional<std::string> page = page_in_browser(notched.output, "view=deviation&place=border");
   if (!page) {
     WARN("no chromium that runs: the page was not tried");
     return;
@@ -196,15 +215,9 @@ TEST_CASE("the distance between the borders is reported, drawn and within the to
 
 TEST_CASE("a surface that is near everywhere but along its border is beyond the tolerance")
 {
-  const Temporary_directory directory;
-  const std::string mesh = directory.file("notch.off"), output = directory.file("output");
-  const std::string corners = written(directory, "0 1\n48 1\n1616 1\n1568 1\n");
-  notched_plate().write(mesh);
-  const Program_run run("'" + mesh + "' --corners '" + corners + "' --max-control-points 20 -o '" + output + "'");
-  CAPTURE(run.output, run.errors);
-  REQUIRE(run.exit_code == 0);
-  CHECK(contains(run.output, "deviation   beyond the tolerance along the border"));
-  const std::string report = file_content(output + "/report.json");
+  const Notched_run notched("--max-control-points 20");
+  CHECK(contains(notched.run.output, "deviation   beyond the tolerance along the border"));
+  const std::string& report = notched.report;
   CHECK(contains(report, "\"is_within_tolerance\": false"));
   CHECK(contains(report, "\"is_faultless\": false"));
   CHECK(number_after(report, "\"deviation\": {", "maximum") <= 0.005);

@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
 #include <CGAL/T_splines/Cross_field/internal/Signature_domain.h>
+#include <CGAL/T_splines/Cross_field/internal/check_numbered_vertices.h>
 #include <CGAL/T_splines/Cross_field/internal/homology_classes.h>
 #include <CGAL/T_splines/Cross_field/internal/strip_turning.h>
 #include <CGAL/T_splines/internal/graph_checks.h>
@@ -34,11 +35,7 @@ void check_vertices(const TriangleMesh& mesh, const Numbers& numbers, const bool
                     Holonomy_signature_report<TriangleMesh>& report)
 {
   using Traits = boost::graph_traits<TriangleMesh>;
-  Claimed_descriptors<typename Traits::vertex_descriptor> claimed;
-  for (const auto& number : numbers)
-    if (number.first != Traits::null_vertex())
-      claimed.insert(number.first);
-  claimed.find_in(CGAL::make_range(vertices(mesh)));
+  const auto claimed = claimed_vertices(mesh, numbers);
   for (std::size_t i = 0; i < numbers.size() && report.success(); ++i) {
     report.index = i;
     report.is_corner = are_corners;

@@ -23,6 +23,21 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
+/// The vertices that are given with numbers, looked for among those of a mesh. Null ones are left out: handles of some graphs
+/// must not be hashed if they are null.
+template <typename TriangleMesh, typename Numbers>
+Claimed_descriptors<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
+claimed_vertices(const TriangleMesh& mesh, const Numbers& numbers)
+{
+  using Traits = boost::graph_traits<TriangleMesh>;
+  Claimed_descriptors<typename Traits::vertex_descriptor> result;
+  for (const auto& number : numbers)
+    if (number.first != Traits::null_vertex())
+      result.insert(number.first);
+  result.find_in(CGAL::make_range(vertices(mesh)));
+  return result;
+}
+
 /// checks vertices that are given with their numbers of quarter turns: they are of the mesh, each is given once, cones inside
 /// and corners on the border, and the numbers are positive.
 /// \param numbers a range of pairs of a vertex and a number: cones, or corners if `are_corners`
@@ -33,11 +48,7 @@ void check_numbered_vertices(const TriangleMesh& mesh, const Numbers& numbers, c
   using Traits = boost::graph_traits<TriangleMesh>;
   using Status = Holonomy_signature_status;
   using vertex_descriptor = typename Traits::vertex_descriptor;
-  Claimed_descriptors<vertex_descriptor> claimed; // handles of some graphs must not be hashed if they are null
-  for (const auto& number : numbers)
-    if (number.first != Traits::null_vertex())
-      claimed.insert(number.first);
-  claimed.find_in(CGAL::make_range(vertices(mesh)));
+  const auto claimed = claimed_vertices(mesh, numbers);
   std::unordered_set<vertex_descriptor> known;
   std::size_t i = 0;
   for (const auto& [vertex, k] : numbers) {

@@ -65,6 +65,9 @@ public:
   /// 1 or 2: a face has so many patches in each direction, all of one size.
   int pieces_per_side() const { return m_pieces; }
 
+  /// Which of them contains s or t.
+  int piece(const FT& x) const { return m_pieces == 1 || FT(2) * x < FT(1) ? 0 : 1; }
+
   /// The coefficients of a basis function in one of the patches of a sector.
   const Coefficients& coefficients(const int sector, const int column, const int row, const int control) const
   {
@@ -113,8 +116,6 @@ private:
   {
     return static_cast<std::size_t>(((sector * m_pieces + row) * m_pieces + column) * number_of_controls() + control);
   }
-
-  int piece(const FT& x) const { return m_pieces == 1 || FT(2) * x < FT(1) ? 0 : 1; }
 
   // With respect to a parameter that is `factor` times slower than x.
   static Univariate bernstein(const FT& x, const FT& factor)

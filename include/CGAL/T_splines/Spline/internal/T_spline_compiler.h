@@ -226,7 +226,7 @@ private:
     const auto centre = [n](const FT& size, const int i) { return FT(size * FT(2 * i + 1) / FT(2 * n)); };
     const auto p =
         corner.to_unit_square(centre(m_basis.t_mesh().width(f), column), centre(m_basis.t_mesh().height(f), row));
-    const int local_column = piece_of(p.first, n), local_row = piece_of(p.second, n);
+    const int local_column = patches.piece(p.first), local_row = patches.piece(p.second);
     Patch patch;
     for (int control = 0; control < patches.number_of_controls(); ++control) {
       const Homogeneous& point = m_surface.homogeneous_control_points()[corner.controls[control]];
@@ -236,15 +236,6 @@ private:
           patch.homogeneous_control_point(k % 4, k / 4)[axis] += coefficients[k] * point[axis];
     }
     return turned(patch, corner.to_unit_square.quarter_turns());
-  }
-
-  // Of n parts of [0, 1], the one that contains x.
-  static int piece_of(const FT& x, const int n)
-  {
-    int i = 0;
-    while (i + 1 < n && FT(n) * x > FT(i + 1))
-      ++i;
-    return i;
   }
 
   // The largest distance of the cap from the surface at 8 x 8 points, the vertex itself excluded.
