@@ -122,6 +122,23 @@ TEST_CASE("the border of the surface is that of the mesh, within the tolerance, 
   }
 }
 
+// The lines of corners that face each other miss each other by little.
+TEST_CASE("a plate with rows of square holes has a surface without folds", "[border]")
+{
+  for (const int holes : {3, 4}) {
+    INFO(holes);
+    const Mesh mesh = wavy(perforated_plate(holes, 3));
+    T::T_spline<Kernel> spline;
+    const auto report = T::approximate_by_T_spline(mesh, spline);
+    INFO(describe(report, mesh));
+    CHECK(report.within_tolerance());
+    CHECK(report.fit.deviation.normals.number_of_folded_patches == 0);
+    CHECK(report.fit.self_intersections.number_of_new_intersections == 0);
+    CHECK(report.regularization.worst_aspect_before > 1000);
+    CHECK(report.regularization.worst_aspect_after < 10);
+  }
+}
+
 TEST_CASE("the surface goes through the corners of the mesh", "[border]")
 {
   Mesh mesh = wavy_plate();

@@ -96,6 +96,12 @@ void aspect_statistics(const Graph& graph, const Regularization& regularization,
 /// \ingroup PkgTSplinesTMesh
 /// makes the faces of a T-mesh squarer by removing edges, wholly or in part ([CZ17] section 8.1).
 ///
+/// First come faces of more than 1:32, between the lines of two extraordinary vertices that face each other and miss
+/// each other by little. What is left of such a face when a line is cut short may still be as thin: it is removed from
+/// its other side next. So each of the two lines ends halfway, where a greedy choice would leave ever shorter faces
+/// towards the vertices, and the rings that a T-spline surface needs there would be as small as the smallest one. Then
+/// narrow gaps between the ends are closed as below.
+///
 /// Greedily, the face with the worst aspect ratio comes first; of the removals on its long sides the one is executed
 /// after which the worst of the faces concerned is best, if it is better than before by at least 5 percent. So it
 /// ends. Of two removals, one that leaves a face more is taken only if its worst aspect ratio is better by a factor of

@@ -4,6 +4,7 @@
 #ifndef CGAL_T_SPLINES_T_MESH_INTERNAL_T_MESH_REGULARIZATION_H
 #define CGAL_T_SPLINES_T_MESH_INTERNAL_T_MESH_REGULARIZATION_H
 
+#include <CGAL/T_splines/T_mesh/internal/Removal_sizes.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_view.h>
 #include <CGAL/T_splines/T_mesh/internal/Changed_faces.h>
@@ -30,11 +31,6 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-inline double aspect_ratio(const double a, const double b)
-{
-  return a > b ? a / b : b / a;
-}
-
 // A short fraction of powers of two that is near x, 0 < x < 1: three significant bits.
 inline std::pair<int, int> short_fraction(const double x)
 {
@@ -54,6 +50,7 @@ class T_mesh_regularization {
   using Editor_observer = T_mesh_observer_pair<typename Changed_faces<Graph>::Observer, Observer>;
   using Editor = T_mesh_editor<TMesh, Editor_observer, VertexIsConstrainedMap>;
   using FT = typename Editor::FT;
+  using Sizes = Removal_sizes;
 
   // The part from `from` to `to`, as fractions, of the overlap of the two faces of `h` is to be removed.
   struct Removal {
@@ -61,45 +58,6 @@ class T_mesh_regularization {
     double from, to;
     double cost;
     bool is_full; // no orthogonal edge is inserted
-  };
-
-  // What the prediction needs to know of an overlap; a unit of length is one of the first face.
-  struct Sizes {
-    double length;                // of the overlap
-    std::array<double, 2> depth;  // of the two faces, across
-    std::array<double, 2> before; // how far the two faces reach beyond the overlap's beginning
-    std::array<double, 2> after;  // and its end
-    bool first_is_fixed, last_is_fixed;
-
-    double old_aspect() const
-    {
-      double result = 1;
-      for (int i = 0; i < 2; ++i)
-        result = (std::max)(result, aspect_ratio(before[i] + length + after[i], depth[i]));
-      return result;
-    }
-
-    // The worst aspect ratio after the removal of the part from x to y.
-    double new_aspect(const double x, const double y) const
-    {
-      double result = aspect_ratio(y - x, depth[0] + depth[1]);
-      for (int i = 0; i < 2; ++i) {
-        for (const double rest : {before[i] + x, after[i] + length - y}) {
-          if (rest > 0)
-            result = (std::max)(result, aspect_ratio(rest, depth[i]));
-        }
-      }
-      return result;
-    }
-
-    // Each orthogonal edge adds a face, the removal takes one.
-    int added_faces(const double x, const double y) const
-    {
-      int result = -1;
-      for (int i = 0; i < 2; ++i)
-        result += (before[i] + x > 0) + (after[i] + y > 0);
-      return result;
-    }
   };
 
   struct Entry {
@@ -116,6 +74,7 @@ class T_mesh_regularization {
 public:
   struct Counts {
     std::size_t removals = 0, flips = 0, partial_removals = 0, closed_gaps = 0;
+    std::size_t sum() const { return removals + flips + partial_removals + closed_gaps; }
   };
 
   // An operation must make the worst of the faces better by this factor. Then it ends: the sequence of all aspect
@@ -135,6 +94,13 @@ public:
   // unless a face became worse than the worst one, or than this.
   static constexpr double aspect_at_gap = 5;
 
+  // Faces at least as long, by their width, come first: they lie between lines of two extraordinary vertices that face
+  // each other and miss each other by little.
+  static constexpr double thin = Removal_sizes::thin;
+
+  // There an operation is executed only if no face is expected to be worse than this in the end.
+  static constexpr double largest_expected_aspect = 8;
+
   T_mesh_regularization(const TMesh& t_mesh, const Observer& observer,
                         const VertexIsConstrainedMap vertex_is_constrained)
     : m_t_mesh(t_mesh),
@@ -148,32 +114,14 @@ public:
   Counts run(const std::size_t number_of_operations, Progress& progress)
   {
     progress.go_on();
-    for (const face_descriptor f : faces(m_graph))
-      push(f);
-    Counts counts;
-    std::size_t done = 0;
-    const double first = m_queue.empty() ? 1 : m_queue.top().aspect;
-    while (!m_queue.empty() && done < number_of_operations && progress.go_on_after(work_per_face)) {
-      const Entry entry = m_queue.top();
-      m_queue.pop();
-      const auto stamp = m_stamps.find(entry.f);
-      if (stamp == m_stamps.end() || stamp->second != entry.stamp)
-        continue;
-      Removal best{Traits::null_halfedge(), 0, 1, std::numeric_limits<double>::infinity(), true};
-      if (find_removal(entry.f, best) && execute(best)) {
-        ++(best.is_full ? counts.removals : best.from == 0 && best.to == 1 ? counts.flips : counts.partial_removals);
-        ++done;
-        update_queue();
-        progress.progress(1 - std::log(entry.aspect) / std::log(first));
-        progress.go_on_after(work_per_operation);
-      }
-    }
-    const std::size_t number_of_gaps = gaps().size();
-    while (counts.closed_gaps < number_of_gaps && done < number_of_operations && progress.go_on() && close_a_gap()) {
-      ++counts.closed_gaps;
-      ++done;
-    }
-    return counts;
+    m_counts = Counts();
+    m_first_aspect = worst_aspect();
+    execute_all(Purpose::SEPARATION, number_of_operations, progress);
+    if (m_counts.sum() > 0) // the lines that are separated end next to each other
+      close_gaps(Purpose::SEPARATION, number_of_operations, progress);
+    execute_all(Purpose::ASPECT, number_of_operations, progress);
+    close_gaps(Purpose::ASPECT, number_of_operations, progress);
+    return m_counts;
   }
 
   double aspect(const face_descriptor f) const
@@ -184,6 +132,57 @@ public:
 
 private:
   static constexpr std::size_t work_per_face = 100, work_per_operation = 2000;
+
+  // What an operation is for: that the lines beside a thin face end, though at first what is left of it is as thin; or
+  // better aspect ratios.
+  enum class Purpose { SEPARATION, ASPECT };
+
+  double worst_aspect() const
+  {
+    double result = 1;
+    for (const face_descriptor f : faces(m_graph))
+      result = (std::max)(result, aspect(f));
+    return result;
+  }
+
+  // The worst faces first.
+  void execute_all(const Purpose purpose, const std::size_t number_of_operations, Progress& progress)
+  {
+    m_queue = {};
+    m_stamps.clear();
+    m_changed_faces.clear();
+    for (const face_descriptor f : faces(m_graph))
+      push(f);
+    while (!m_queue.empty() && m_counts.sum() < number_of_operations && progress.go_on_after(work_per_face)) {
+      const Entry entry = m_queue.top();
+      m_queue.pop();
+      const auto stamp = m_stamps.find(entry.f);
+      if (stamp == m_stamps.end() || stamp->second != entry.stamp)
+        continue;
+      if (purpose == Purpose::SEPARATION && entry.aspect < thin)
+        return;
+      Removal best{Traits::null_halfedge(), 0, 1, std::numeric_limits<double>::infinity(), true};
+      if (find_removal(entry.f, purpose, best) && execute(best)) {
+        ++(best.is_full                     ? m_counts.removals
+           : best.from == 0 && best.to == 1 ? m_counts.flips
+                                            : m_counts.partial_removals);
+        update_queue();
+        progress.progress(1 - std::log(entry.aspect) / std::log(m_first_aspect));
+        progress.go_on_after(work_per_operation);
+      }
+    }
+  }
+
+  // The narrowest gaps first.
+  void close_gaps(const Purpose purpose, const std::size_t number_of_operations, Progress& progress)
+  {
+    const std::size_t number_of_gaps = gaps().size();
+    for (std::size_t i = 0; i < number_of_gaps && m_counts.sum() < number_of_operations && progress.go_on(); ++i) {
+      if (!close_a_gap(purpose))
+        return;
+      ++m_counts.closed_gaps;
+    }
+  }
 
   void push(const face_descriptor f)
   {
@@ -214,7 +213,7 @@ private:
   }
 
   // Finds the best removal on the long sides of f.
-  bool find_removal(const face_descriptor f, Removal& best) const
+  bool find_removal(const face_descriptor f, const Purpose purpose, Removal& best) const
   {
     const bool is_wide = m_editor.coordinates().width(f) >= m_editor.coordinates().height(f);
     bool is_found = false;
@@ -224,7 +223,7 @@ private:
         const face_descriptor g = face(opposite(h, m_graph), m_graph);
         if (g != Traits::null_face() && g != f) {
           const auto overlap = m_editor.overlap(h);
-          is_found = find_removal(overlap, sizes(overlap), best) || is_found;
+          is_found = find_removal(overlap, sizes(overlap), purpose, best) || is_found;
           h = overlap.last;
         }
         if (m_t_mesh.is_corner(h))
@@ -249,7 +248,37 @@ private:
                     scale * reach(o.opposite_begin, m_t_mesh.is_corner(prev(opposite(o.last, m_graph), m_graph)))};
     result.first_is_fixed = m_editor.is_fixed(target(opposite_first, m_graph));
     result.last_is_fixed = m_editor.is_fixed(target(o.last, m_graph));
+    result.opens_at_first = {opens(o.first, false), opens(opposite_first, true)};
+    result.opens_at_last = {opens(o.first, true), opens(opposite_first, false)};
+    result.first_stub = stub(o.first);
+    result.last_stub = scale * stub(opposite(o.last, m_graph));
     return result;
+  }
+
+  // Whether the side of a face opposite to that of h may be removed from where the side of h ends, or begins.
+  bool opens(const halfedge_descriptor h, const bool at_end) const
+  {
+    const auto& coordinates = m_editor.coordinates();
+    const face_descriptor f = face(h, m_graph);
+    const int side = (coordinates.side(h) + 2) % 4;
+    const halfedge_descriptor first = coordinates.first_of_side(f, side),
+                              e = at_end ? first : coordinates.last_of_side(first);
+    const face_descriptor behind = face(opposite(e, m_graph), m_graph);
+    return behind != Traits::null_face() && behind != f &&
+           !m_editor.is_fixed(at_end ? source(e, m_graph) : target(e, m_graph));
+  }
+
+  // If the line of h goes on before h, through an orthogonal line, to a fixed vertex: how far it is; or 0.
+  double stub(const halfedge_descriptor h) const
+  {
+    const halfedge_descriptor side = prev(h, m_graph), across = opposite(side, m_graph);
+    if (!m_t_mesh.is_corner(side) || face(across, m_graph) == Traits::null_face())
+      return 0;
+    const halfedge_descriptor before = prev(across, m_graph);
+    if (!m_t_mesh.is_corner(before) || !m_editor.is_fixed(source(before, m_graph)))
+      return 0;
+    return CGAL::to_double(FT(m_t_mesh.knot(before))) * CGAL::to_double(FT(m_t_mesh.knot(side))) /
+           CGAL::to_double(FT(m_t_mesh.knot(across)));
   }
 
   static double reach(const FT& x, const bool is_corner) { return is_corner ? 0 : CGAL::to_double(x); }
@@ -261,10 +290,16 @@ private:
     return CGAL::to_double(is_horizontal ? m_editor.coordinates().height(f) : m_editor.coordinates().width(f));
   }
 
-  // Tries the ends of an overlap, and points at which the faces cut off there are about as wide as long.
-  bool find_removal(const typename Editor::Overlap& o, const Sizes& s, Removal& best) const
+  // Tries the ends of an overlap, and points at which the faces cut off there are about as wide as long; where lines are to
+  // be separated, points near its middle, too.
+  bool find_removal(const typename Editor::Overlap& o, const Sizes& s, const Purpose purpose, Removal& best) const
   {
     std::vector<double> first = fractions(s, s.before), last = fractions(s, s.after);
+    if (purpose == Purpose::SEPARATION)
+      for (const double fraction : {1 / 4., 3 / 8., 1 / 2.}) {
+        first.push_back(fraction);
+        last.push_back(fraction);
+      }
     if (!s.first_is_fixed)
       first.push_back(0);
     if (!s.last_is_fixed)
@@ -277,8 +312,11 @@ private:
           continue;
         const double aspect = s.new_aspect(x * s.length, (1 - y) * s.length);
         const int added_faces = s.added_faces(x, y);
-        const double cost = aspect * std::pow(face_cost, added_faces);
-        if (!(aspect <= enough) || (added_faces > 0 && old_aspect < small_aspect) || !(cost < best.cost))
+        const double expected =
+            purpose == Purpose::ASPECT ? aspect : s.expected_aspect(x * s.length, (1 - y) * s.length);
+        const double cost = expected * std::pow(face_cost, added_faces);
+        if (!(aspect <= enough) || (added_faces > 0 && old_aspect < small_aspect) || !(cost < best.cost) ||
+            (purpose == Purpose::SEPARATION && expected > largest_expected_aspect))
           continue;
         best = {o.first, x, 1 - y, cost, added_faces == -1};
         is_found = true;
@@ -358,20 +396,18 @@ private:
   }
 
   // Closes the narrowest gap that can be closed.
-  bool close_a_gap()
+  bool close_a_gap(const Purpose purpose)
   {
-    double limit = aspect_at_gap;
-    for (const face_descriptor f : faces(m_graph))
-      limit = (std::max)(limit, aspect(f));
+    const double limit = purpose == Purpose::ASPECT ? (std::max)(aspect_at_gap, worst_aspect()) : aspect_at_gap;
     for (const Line_at_gap& line : gaps())
-      if (shorten(line, limit))
+      if (shorten(line, purpose, limit))
         return true;
     return false;
   }
 
   // Removes the last piece of a line, if no face becomes worse than the limit. An orthogonal edge is inserted at its
-  // new end, at a vertex of one of the two faces or away from them.
-  bool shorten(const Line_at_gap& line, const double limit)
+  // new end, at a vertex of one of the two faces or away from them. Of lines that were separated half is left, too.
+  bool shorten(const Line_at_gap& line, const Purpose purpose, const double limit)
   {
     if (face(line.h, m_graph) == face(opposite(line.h, m_graph), m_graph))
       return false;
@@ -381,7 +417,10 @@ private:
     const FT length = o.end - o.begin;
     double best = limit;
     FT best_x(0);
-    for (const double part : fractions(s, at_first ? s.after : s.before)) {
+    std::vector<double> parts = fractions(s, at_first ? s.after : s.before);
+    if (purpose == Purpose::SEPARATION)
+      parts.push_back(1 / 2.);
+    for (const double part : parts) {
       const double rest = part * s.length;
       const double aspect = at_first ? s.new_aspect(0, s.length - rest) : s.new_aspect(rest, s.length);
       if (aspect >= best)
@@ -427,6 +466,8 @@ private:
   std::priority_queue<Entry> m_queue;
   std::unordered_map<face_descriptor, std::size_t, boost::hash<face_descriptor>> m_stamps; // of the valid entry
   std::size_t m_last_stamp = 0;
+  Counts m_counts;
+  double m_first_aspect = 1; // the worst one at first
 };
 
 } // namespace internal
