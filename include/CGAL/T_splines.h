@@ -18,6 +18,8 @@
 #include <CGAL/T_splines/Cross_field/check_holonomy_signature.h>
 #include <CGAL/T_splines/Cross_field/check_triangle_mesh.h>
 #include <CGAL/T_splines/Cross_field/compute_smooth_cross_field.h>
+#include <CGAL/T_splines/Cross_field/detect_features.h>
+#include <CGAL/T_splines/Cross_field/feature_figures.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
 #include <CGAL/T_splines/Cross_field/reduce_cones.h>

@@ -22,6 +22,12 @@ constexpr double default_merge_distance = 1e-6;
 constexpr double default_corner_angle = 50;
 
 /// \ingroup PkgTSplinesCrossField
+/// By how many degrees the normals of the two faces of a feature differ.
+///
+/// A hole of eight sides has features along it, one of ten sides has none.
+constexpr double default_feature_angle = 40;
+
+/// \ingroup PkgTSplinesCrossField
 /// How much a merge of cones may raise the energy of the map's scale, on a component of the given genus.
 ///
 /// Each cone costs about fifty control points of a surface within 0.5 %, and each merge makes the map's scale vary more.
