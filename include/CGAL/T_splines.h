@@ -23,6 +23,7 @@
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
 #include <CGAL/T_splines/Cross_field/reduce_cones.h>
+#include <CGAL/T_splines/Cross_field/refine_at_features.h>
 #include <CGAL/T_splines/IO/Atomic_file.h>
 #include <CGAL/T_splines/IO/Field_file_report.h>
 #include <CGAL/T_splines/IO/Mesh_reading_report.h>
