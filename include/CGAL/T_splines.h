@@ -15,8 +15,10 @@
 #include <CGAL/T_splines/Cross_field/Cone_reduction_report.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
+#include <CGAL/T_splines/Cross_field/check_feature_alignment.h>
 #include <CGAL/T_splines/Cross_field/check_holonomy_signature.h>
 #include <CGAL/T_splines/Cross_field/check_triangle_mesh.h>
+#include <CGAL/T_splines/Cross_field/compute_feature_aligned_cross_field.h>
 #include <CGAL/T_splines/Cross_field/compute_smooth_cross_field.h>
 #include <CGAL/T_splines/Cross_field/detect_features.h>
 #include <CGAL/T_splines/Cross_field/feature_figures.h>

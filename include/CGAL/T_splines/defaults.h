@@ -28,6 +28,15 @@ constexpr double default_corner_angle = 50;
 constexpr double default_feature_angle = 40;
 
 /// \ingroup PkgTSplinesCrossField
+/// The angle between two features, in degrees, below which one of them goes soft rather than that the sector between them
+/// becomes a quarter turn: a map would have to open it by more than four times.
+constexpr double default_smallest_sector_angle = 20;
+
+/// \ingroup PkgTSplinesCrossField
+/// By how many degrees a given field may be off the direction of a feature: vectors in files have six digits.
+constexpr double default_feature_deviation = 1e-3;
+
+/// \ingroup PkgTSplinesCrossField
 /// How much a merge of cones may raise the energy of the map's scale, on a component of the given genus.
 ///
 /// Each cone costs about fifty control points of a surface within 0.5 %, and each merge makes the map's scale vary more.

@@ -4,6 +4,7 @@
 #ifndef CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_LOW_VERTEX_REPAIR_H
 #define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_LOW_VERTEX_REPAIR_H
 
+#include <CGAL/T_splines/Cross_field/internal/Vertex_sectors.h>
 #include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
 #include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
 #include <CGAL/T_splines/Solver/support/Hermitian_rows.h>
@@ -24,53 +25,69 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// Makes the quarter turns around vertices positive: a seamless map needs at least one.
+/// Makes the quarter turns around vertices, or in their sectors between features, positive: a seamless map needs at least
+/// one.
 ///
 /// At a sharp spike the smoothest cross does not turn at all; around marked edges it may turn backwards. A quarter turn
-/// is carried to such a vertex from the nearest inner one that has two or more, across the edges of a path: by the theorem
+/// is carried to such a sector from the nearest inner one that has two or more, across the edges of a path: by the theorem
 /// of Gauss and Bonnet the mean number of a closed surface exceeds one, so there always is such a vertex; on a surface with
-/// border there may be none. The crosses
+/// border, or between features, there may be none. The crosses
 /// around the path are then made smooth, by the least squares of their rotations, in a patch that grows until each
 /// rotation is the closest one, less than an eighth of a turn. Crosses that are fixed stay as they are if they leave room
 /// for that.
+///
+/// Where the sectors are those between features, crosses that are fixed stay in any case, and rotations may be larger: they
+/// are what decides, not the crosses. No path crosses a feature. Quarter turns come from where there is one too
+/// many, if there is such a place: from inner vertices that keep three, or from sectors that keep what is next to their
+/// angle.
 class Low_vertex_repair {
   static constexpr int null = Triangulation_connectivity::null;
 
 public:
+  /// What becomes of crosses that are fixed but leave no room.
+  enum class Fixed_crosses { GIVE_WAY, STAY };
+
+  /// \param sectors of the vertices; those with nothing but border at both ends are left alone
+  /// \param border_cross as in `vertex_quarter_turns()`
   /// \param is_face_fixed per face: whether its cross stays as it is
   /// \param angle per face: of its cross; changed by `repair()`
   /// \param progress if it is interrupted, the repair ends soon, and the angles mean nothing
   Low_vertex_repair(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry,
-                    const std::vector<char>& is_face_fixed, std::vector<double>& angle, Progress& progress)
+                    const Vertex_sectors& sectors, const std::vector<double>& border_cross,
+                    const Fixed_crosses fixed_crosses, const std::vector<char>& is_face_fixed,
+                    std::vector<double>& angle, Progress& progress)
     : m_mesh(mesh),
+      m_sectors(sectors),
+      m_fixed_crosses(fixed_crosses),
       m_is_face_fixed(is_face_fixed),
       m_angle(angle),
       m_progress(progress),
-      m_outgoing(mesh.outgoing_halfedges()),
       m_rotation(field_rotations(mesh, angles_to_halfedges(mesh, geometry, angle))),
-      m_turns(mesh.number_of_vertices(), on_border),
+      m_turns(sectors.size(), on_border),
+      m_usual_turns(sectors.size(), 4),
       m_unknown(mesh.number_of_faces(), null),
-      m_marked(mesh.number_of_vertices(), 0)
+      m_marked(sectors.size(), 0)
   {
-    const std::vector<double> of_no_matter(mesh.number_of_edges(), 0.); // what the border adds at its vertices
-    const std::vector<double> turns = vertex_quarter_turns(mesh, geometry.m_corner_angle, m_rotation, of_no_matter);
-    for (int v = 0; v < mesh.number_of_vertices(); ++v)
-      m_turns[v] = static_cast<int>(std::lround(turns[v]));
-    for (int h = 0; h < mesh.number_of_halfedges(); ++h)
-      if (mesh.face(h) == null)
-        m_turns[mesh.source(h)] = m_turns[mesh.target(h)] = on_border;
+    const std::vector<double> turns = sectors.quarter_turns(geometry.m_corner_angle, m_rotation, border_cross);
+    const std::vector<double> angles = sectors.angles(geometry.m_corner_angle);
+    for (int s = 0; s < sectors.size(); ++s) {
+      if (!sectors.is_between_borders(s))
+        m_turns[s] = static_cast<int>(std::lround(turns[s]));
+      if (sectors.has_bounds(s))
+        m_usual_turns[s] = (std::max)(1, static_cast<int>(std::lround(angles[s] / quarter_turn)));
+    }
   }
 
-  /// repairs the vertices in the order of their indices. \return how many were repaired.
+  /// repairs the sectors in the order of their indices. \return how many were repaired.
   int repair()
   {
     int number_repaired = 0;
-    for (int v = 0; v < m_mesh.number_of_vertices() && m_progress.go_on_after(2); ++v) {
-      if (m_outgoing[v] == null || turns_after_ties(v) >= 1)
+    for (int s = 0; s < m_sectors.size() && m_progress.go_on_after(2); ++s) {
+      if (turns_after_ties(s) >= 1)
         continue;
-      std::vector<int> around(1, v);
+      std::vector<int> around(1, s);
       m_crossed.clear();
-      while (m_turns[v] < 1 && carry_quarter_turn(v, around) && m_progress.go_on_after(100))
+      while (m_turns[s] < 1 && carry_quarter_turn(s, around) && m_progress.go_on_after(100))
         ;
       smooth(around);
       ++number_repaired;
@@ -82,6 +99,9 @@ public:
   /// above.
   const std::vector<double>& rotations() const { return m_rotation; }
 
+  /// Per sector, its quarter turns; 1 or more of those between borders, which are not looked at.
+  const std::vector<int>& turns() const { return m_turns; }
+
 private:
   static constexpr int on_border = (std::numeric_limits<int>::max)();
   static constexpr double largest_rotation = quarter_turn / 2;
@@ -90,104 +110,121 @@ private:
   double rotation(const int h) const { return rotation_into(m_rotation, h); }
   void add_rotation(const int h, const double change) { m_rotation[edge_of(h)] += is_along_edge(h) ? change : -change; }
 
-  // What is left of the turns of `v` if every tie around it is broken the wrong way.
-  int turns_after_ties(const int v) const
+  // What is left of the turns of sector `s` if every tie in it is broken the wrong way, where crosses decide.
+  int turns_after_ties(const int s) const
   {
-    if (m_turns[v] == on_border)
-      return on_border;
-    int turns = m_turns[v];
-    m_mesh.for_each_around_source(m_outgoing[v],
-                                  [&](const int h) { turns -= rotation(h) < tie_margin - largest_rotation ? 1 : 0; });
+    if (m_turns[s] == on_border || m_fixed_crosses == Fixed_crosses::STAY)
+      return m_turns[s];
+    int turns = m_turns[s];
+    m_sectors.for_each_halfedge(s, [&](const int h) { turns -= rotation(h) < tie_margin - largest_rotation ? 1 : 0; });
     return turns;
   }
 
-  // Of the nearest vertices with more than one quarter turn, the one with most gives one to `v`. The vertices of the path
-  // are added to `around`.
-  bool carry_quarter_turn(const int v, std::vector<int>& around)
+  // Carries a quarter turn to `s`. The sectors of the path are added to `around`.
+  bool carry_quarter_turn(const int s, std::vector<int>& around)
+  {
+    if (m_fixed_crosses == Fixed_crosses::STAY && carry_quarter_turn(s, around, [this](const int t) {
+          return m_turns[t] > m_usual_turns[t] - (m_sectors.has_bounds(t) ? 0 : 1);
+        }))
+      return true;
+    return carry_quarter_turn(s, around, [](int) { return true; });
+  }
+
+  // Of the nearest sectors with more than one quarter turn that may give one, the one with most does.
+  template <typename MayGive>
+  bool carry_quarter_turn(const int s, std::vector<int>& around, const MayGive& may_give)
   {
     struct Reached {
-      int vertex, halfedge, parent, distance; // the halfedge to it from its parent, an index into the same list
+      int sector, halfedge, parent, distance; // the halfedge to it from its parent, an index into the same list
     };
-    std::vector<Reached> reached(1, {v, null, null, 0});
+    std::vector<Reached> reached(1, {s, null, null, 0});
     ++m_mark;
-    m_marked[v] = m_mark;
+    m_marked[s] = m_mark;
     std::size_t best = 0;
     for (std::size_t i = 0; i < reached.size() && (best == 0 || reached[i].distance < reached[best].distance); ++i) {
-      m_mesh.for_each_around_source(m_outgoing[reached[i].vertex], [&](const int h) {
-        const int w = m_mesh.target(h);
-        if (m_marked[w] == m_mark || !is_free_to_turn(h))
+      m_sectors.for_each_halfedge(reached[i].sector, [&](const int h) {
+        if (!is_free_to_turn(h))
           return;
-        m_marked[w] = m_mark;
-        reached.push_back({w, h, static_cast<int>(i), reached[i].distance + 1});
-        if (m_turns[w] != on_border && m_turns[w] > 1 && (best == 0 || m_turns[w] > m_turns[reached[best].vertex]))
+        const int t = m_sectors.sector_across(reached[i].sector, h);
+        if (m_marked[t] == m_mark)
+          return;
+        m_marked[t] = m_mark;
+        reached.push_back({t, h, static_cast<int>(i), reached[i].distance + 1});
+        if (m_turns[t] != on_border && m_turns[t] > 1 && may_give(t) &&
+            (best == 0 || m_turns[t] > m_turns[reached[best].sector]))
           best = reached.size() - 1;
       });
     }
     if (best == 0)
       return false;
-    --m_turns[reached[best].vertex];
-    ++m_turns[v];
+    --m_turns[reached[best].sector];
+    ++m_turns[s];
     for (int i = static_cast<int>(best); i != 0; i = reached[i].parent) {
-      around.push_back(reached[i].vertex);
+      around.push_back(reached[i].sector);
       add_rotation(reached[i].halfedge, -quarter_turn);
       m_crossed.push_back(reached[i].halfedge);
     }
     return true;
   }
 
-  // Whether the edge of `h` has two faces, and the rotation across it stays less than half a turn.
+  // Whether the edge of `h` has two faces and no sector ends there, and the rotation across it stays less than half a turn.
   bool is_free_to_turn(const int h) const
   {
-    return m_mesh.face(h) != null && m_mesh.face(opposite(h)) != null &&
-           std::abs(rotation(h) - quarter_turn) < 2 * quarter_turn - tie_margin;
+    return !m_sectors.is_bound(h) && std::abs(rotation(h) - quarter_turn) < 2 * quarter_turn - tie_margin;
   }
 
-  // Changes crosses around vertices such that all rotations there are closest ones, in a patch as small as possible. If
-  // crosses that are fixed leave no room for that, those in the middle of the patch are given up.
-  bool smooth(std::vector<int> vertices)
+  // Changes crosses around sectors such that all rotations there are closest ones, in a patch as small as possible. If
+  // crosses that are fixed leave no room for that, those in the middle of the patch are given up, or, where they stay, the
+  // rotations are made as small as they can be.
+  bool smooth(std::vector<int> sectors)
   {
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    const bool may_give_way = m_fixed_crosses == Fixed_crosses::GIVE_WAY;
+    std::sort(sectors.begin(), sectors.end());
+    sectors.erase(std::unique(sectors.begin(), sectors.end()), sectors.end());
     ++m_mark;
-    for (const int v : vertices)
-      m_marked[v] = m_mark;
-    std::size_t number_of_released = vertices.size(), first_of_layer = 0;
-    for (bool is_complete = false; m_progress.go_on_after(vertices.size());) {
-      std::vector<int> faces = free_faces_around(vertices, 0);
-      if (relax(faces))
+    for (const int s : sectors)
+      m_marked[s] = m_mark;
+    std::size_t number_of_released = sectors.size(), first_of_layer = 0;
+    for (bool is_complete = false; m_progress.go_on_after(sectors.size());) {
+      std::vector<int> faces = free_faces_around(sectors, 0);
+      const bool is_last = !may_give_way && (is_complete || sectors.size() > largest_patch);
+      if (relax(faces, is_last))
         return true;
-      const std::size_t number_of_free = faces.size();
-      faces = free_faces_around(vertices, number_of_released);
-      if (faces.size() > number_of_free && relax(faces))
-        return true;
-      if (is_complete)
+      if (may_give_way) {
+        const std::size_t number_of_free = faces.size();
+        faces = free_faces_around(sectors, number_of_released);
+        if (faces.size() > number_of_free && relax(faces, false))
+          return true;
+      }
+      if (is_complete || is_last)
         return false;
-      number_of_released = vertices.size();
+      number_of_released = sectors.size();
       // As many layers more as make the patch about twice as large.
-      while (first_of_layer < vertices.size() && vertices.size() < 2 * number_of_released) {
-        const std::size_t end_of_layer = vertices.size();
+      while (first_of_layer < sectors.size() && sectors.size() < 2 * number_of_released) {
+        const std::size_t end_of_layer = sectors.size();
         for (; first_of_layer < end_of_layer; ++first_of_layer)
-          m_mesh.for_each_around_source(m_outgoing[vertices[first_of_layer]], [&](const int h) {
-            if (m_marked[m_mesh.target(h)] == m_mark)
+          m_sectors.for_each_halfedge(sectors[first_of_layer], [&](const int h) {
+            const int t = m_sectors.sector_across(sectors[first_of_layer], h);
+            if (m_marked[t] == m_mark)
               return;
-            m_marked[m_mesh.target(h)] = m_mark;
-            vertices.push_back(m_mesh.target(h));
+            m_marked[t] = m_mark;
+            sectors.push_back(t);
           });
       }
-      is_complete = vertices.size() == number_of_released;
+      is_complete = sectors.size() == number_of_released;
     }
     return false;
   }
 
-  // The faces with a corner among `vertices` whose crosses are not fixed, or which have a corner among the first
-  // `number_of_released` vertices.
-  std::vector<int> free_faces_around(const std::vector<int>& vertices, const std::size_t number_of_released) const
+  // The faces with a corner in one of `sectors` whose crosses are not fixed, or which have a corner in one of the first
+  // `number_of_released` sectors.
+  std::vector<int> free_faces_around(const std::vector<int>& sectors, const std::size_t number_of_released) const
   {
     std::vector<int> faces;
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      m_mesh.for_each_around_source(m_outgoing[vertices[i]], [&](const int h) {
+    for (std::size_t i = 0; i < sectors.size(); ++i)
+      m_sectors.for_each_halfedge(sectors[i], [&](const int h) {
         const int f = m_mesh.face(h);
-        if (f != null && (!m_is_face_fixed[f] || i < number_of_released))
+        if (f != null && m_sectors.sector(h) == sectors[i] && (!m_is_face_fixed[f] || i < number_of_released))
           faces.push_back(f);
       });
     std::sort(faces.begin(), faces.end());
@@ -207,8 +244,9 @@ private:
   }
 
   // Turns the crosses of `faces` such that the rotations of their edges become small. Weights of edges whose rotations
-  // are too large grow from round to round. Takes the result if all rotations are closest ones.
-  bool relax(const std::vector<int>& faces)
+  // are too large grow from round to round. Takes the result if all rotations are closest ones, or if it is the last resort and all
+  // are less than half a turn.
+  bool relax(const std::vector<int>& faces, const bool is_last_resort)
   {
     constexpr int number_of_rounds = 10;
     if (faces.empty())
@@ -216,22 +254,26 @@ private:
     for (std::size_t i = 0; i < faces.size(); ++i)
       m_unknown[faces[i]] = static_cast<int>(i);
     std::vector<double> weight(3 * faces.size(), 1.), turn(faces.size(), 0.);
-    bool is_closest = false;
+    // Across an edge with crosses that are fixed on both sides a quarter turn cannot be carried, where crosses decide.
+    const bool has_room = std::all_of(m_crossed.begin(), m_crossed.end(), [this](const int h) {
+      return m_unknown[m_mesh.face(h)] != null || m_unknown[m_mesh.face(opposite(h))] != null;
+    });
+    bool is_closest = false, is_possible = false;
     for (int round = 0; round < number_of_rounds && !is_closest; ++round) {
-      solve_turns(faces, weight, turn);
-      // Across an edge with crosses that are fixed on both sides a quarter turn cannot be carried.
-      is_closest = std::all_of(m_crossed.begin(), m_crossed.end(), [this](const int h) {
-        return m_unknown[m_mesh.face(h)] != null || m_unknown[m_mesh.face(opposite(h))] != null;
-      });
-      if (!is_closest)
+      if (!has_room && m_fixed_crosses == Fixed_crosses::GIVE_WAY)
         break;
+      solve_turns(faces, weight, turn);
+      is_closest = is_possible = true;
       std::size_t side = 0;
       for_each_side(faces, [&](const int i, const int h) {
         const double size = std::abs(turned_rotation(i, h, turn)) / (largest_rotation - tie_margin);
         is_closest = is_closest && size < 1;
+        is_possible = is_possible && size < 4;
         weight[side++] *= 1 + size * size * size * size;
       });
     }
+    if (is_last_resort)
+      is_closest = is_possible;
     if (is_closest) {
       for_each_side(faces, [&](const int i, const int h) {
         if (is_along_edge(h) || m_unknown[m_mesh.face(opposite(h))] == null)
@@ -273,16 +315,21 @@ private:
                          most_iterations, m_progress);
   }
 
+  // Where fixed crosses leave no room, larger patches help no more.
+  static constexpr std::size_t largest_patch = 1000;
+
   const Triangulation_connectivity& m_mesh;
+  const Vertex_sectors& m_sectors;
+  const Fixed_crosses m_fixed_crosses;
   const std::vector<char>& m_is_face_fixed;
   std::vector<double>& m_angle;
   Progress& m_progress;
-  std::vector<int> m_outgoing;
   std::vector<double> m_rotation; // per edge
-  std::vector<int> m_turns;       // per vertex: quarter turns, or `on_border`
+  std::vector<int> m_turns;       // per sector: quarter turns, or `on_border`
+  std::vector<int> m_usual_turns; // per sector: what it keeps if it can, 4 where it has no bounds
   std::vector<int> m_unknown;     // per face: its number in the patch that is relaxed, or null
-  std::vector<int> m_crossed;     // the halfedges that the quarter turns of the last vertex were carried across
-  std::vector<int> m_marked;      // per vertex: the last search that reached it
+  std::vector<int> m_crossed;     // the halfedges that the quarter turns of the last sector were carried across
+  std::vector<int> m_marked;      // per sector: the last search that reached it
   int m_mark = 0;
 };
 

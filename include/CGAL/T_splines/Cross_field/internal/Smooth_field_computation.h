@@ -7,6 +7,7 @@
 #include <CGAL/T_splines/Cross_field/internal/Connection_laplacian.h>
 #include <CGAL/T_splines/Cross_field/internal/Low_vertex_repair.h>
 #include <CGAL/T_splines/Cross_field/internal/Vertex_frames.h>
+#include <CGAL/T_splines/Cross_field/internal/Vertex_sectors.h>
 #include <CGAL/T_splines/Cross_field/internal/face_crosses.h>
 #include <CGAL/T_splines/Cross_field/internal/principal_crosses.h>
 #include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
@@ -73,39 +74,53 @@ public:
   /// computes the field on all components. \return `false` if the progress is interrupted.
   bool compute(const Mesh_components& components)
   {
-    std::vector<std::vector<int>> vertices(components.size()), halfedges(components.size()), faces(components.size());
-    for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
-      if (components.of_vertex[v] != null)
-        vertices[components.of_vertex[v]].push_back(v);
-    for (int e = 0; e < m_mesh.number_of_edges(); ++e) {
-      const int h = halfedge_of_edge(e);
-      halfedges[components.of_vertex[m_mesh.target(h)]].push_back(h);
-    }
-    for (int f = 0; f < m_mesh.number_of_faces(); ++f)
-      faces[components.of_face[f]].push_back(f);
-    for (int c = 0; c < components.size(); ++c) {
-      const double n = components.size();
-      const Progress::Part part(m_progress, 0.1 + 0.8 * c / n, 0.1 + 0.8 * (c + 1) / n);
-      if (!m_progress.go_on())
-        return false;
-      compute_component(vertices[c], halfedges[c], faces[c]);
-      m_progress.progress(1);
-    }
-    if (!m_progress.go_on())
+    if (!compute_unrepaired(components))
       return false;
-    Low_vertex_repair repair(m_mesh, m_geometry, m_is_face_fixed, m_angle, m_progress);
+    const Vertex_sectors sectors(m_mesh, {});
+    const std::vector<double> of_no_matter(m_mesh.number_of_edges(), 0.); // of the border, which is left alone
+    Low_vertex_repair repair(m_mesh, m_geometry, sectors, of_no_matter, Low_vertex_repair::Fixed_crosses::GIVE_WAY,
+                             m_is_face_fixed, m_angle, m_progress);
     m_number_of_repaired = repair.repair();
     m_rotation = repair.rotations();
     if (!m_progress.go_on())
       return false;
     for (int c = 0; c < components.size(); ++c)
-      m_number_of_singularities += m_counter.count(faces[c], vertices[c], m_angle, m_progress);
+      m_number_of_singularities += m_counter.count(m_faces[c], m_vertices[c], m_angle, m_progress);
     m_progress.progress(1.);
+    return m_progress.go_on();
+  }
+
+  /// computes the field as the smoothest crosses are, whatever quarter turns they make around vertices.
+  /// \return `false` if the progress is interrupted.
+  bool compute_unrepaired(const Mesh_components& components)
+  {
+    m_vertices.resize(components.size());
+    m_faces.resize(components.size());
+    std::vector<std::vector<int>> halfedges(components.size());
+    for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      if (components.of_vertex[v] != null)
+        m_vertices[components.of_vertex[v]].push_back(v);
+    for (int e = 0; e < m_mesh.number_of_edges(); ++e) {
+      const int h = halfedge_of_edge(e);
+      halfedges[components.of_vertex[m_mesh.target(h)]].push_back(h);
+    }
+    for (int f = 0; f < m_mesh.number_of_faces(); ++f)
+      m_faces[components.of_face[f]].push_back(f);
+    for (int c = 0; c < components.size(); ++c) {
+      const double n = components.size();
+      const Progress::Part part(m_progress, 0.1 + 0.8 * c / n, 0.1 + 0.8 * (c + 1) / n);
+      if (!m_progress.go_on())
+        return false;
+      compute_component(m_vertices[c], halfedges[c], m_faces[c]);
+      m_progress.progress(1);
+    }
     return m_progress.go_on();
   }
 
   /// The angle of the cross in the frame of each face.
   const std::vector<double>& angles() const { return m_angle; }
+  /// Whether a face has an edge that is constrained.
+  const std::vector<char>& is_face_fixed() const { return m_is_face_fixed; }
   /// The rotation of the cross across each edge, as `Low_vertex_repair` leaves it.
   const std::vector<double>& rotations() const { return m_rotation; }
   int number_of_repaired_vertices() const { return m_number_of_repaired; }
@@ -291,9 +306,10 @@ private:
   const Smooth_field_options& m_options;
   Progress& m_progress;
   Vertex_frames m_frames, m_intrinsic;
-  std::vector<Complex> m_fixed; // per vertex: its given value, or 0
-  std::vector<Complex> m_guide; // per vertex: the principal cross; empty if there is no alignment
-  std::vector<Complex> m_field; // per vertex
+  std::vector<std::vector<int>> m_vertices, m_faces; // per component
+  std::vector<Complex> m_fixed;                      // per vertex: its given value, or 0
+  std::vector<Complex> m_guide;                      // per vertex: the principal cross; empty if there is no alignment
+  std::vector<Complex> m_field;                      // per vertex
   std::vector<char> m_is_face_fixed;
   std::vector<double> m_face_direction; // per fixed face
   std::vector<double> m_angle;          // per face: the result
