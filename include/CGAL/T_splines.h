@@ -27,6 +27,7 @@
 #include <CGAL/T_splines/Cross_field/reduce_cones.h>
 #include <CGAL/T_splines/Cross_field/refine_at_features.h>
 #include <CGAL/T_splines/IO/Atomic_file.h>
+#include <CGAL/T_splines/IO/Feature_file_report.h>
 #include <CGAL/T_splines/IO/Field_file_report.h>
 #include <CGAL/T_splines/IO/Mesh_reading_report.h>
 #include <CGAL/T_splines/IO/T_mesh_reading_report.h>
@@ -36,6 +37,7 @@
 #include <CGAL/T_splines/IO/read_cones.h>
 #include <CGAL/T_splines/IO/read_cross_field.h>
 #include <CGAL/T_splines/IO/read_crossfield.h>
+#include <CGAL/T_splines/IO/read_features.h>
 #include <CGAL/T_splines/IO/read_ffield.h>
 #include <CGAL/T_splines/IO/read_map_obj.h>
 #include <CGAL/T_splines/IO/read_rawfield.h>
@@ -43,6 +45,7 @@
 #include <CGAL/T_splines/IO/read_t_mesh.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
 #include <CGAL/T_splines/IO/write_cones.h>
+#include <CGAL/T_splines/IO/write_features.h>
 #include <CGAL/T_splines/IO/write_map_obj.h>
 #include <CGAL/T_splines/IO/write_rawfield.h>
 #include <CGAL/T_splines/IO/write_t_mesh.h>
