@@ -29,8 +29,8 @@ constexpr double default_feature_angle = 40;
 
 /// \ingroup PkgTSplinesCrossField
 /// The angle between two features, in degrees, below which one of them goes soft rather than that the sector between them
-/// becomes a quarter turn: a map would have to open it by more than four times.
-constexpr double default_smallest_sector_angle = 20;
+/// becomes a quarter turn: a map would have to open it by more than nine times. Of 20 mechanical parts none has such a sector.
+constexpr double default_smallest_sector_angle = 10;
 
 /// \ingroup PkgTSplinesCrossField
 /// By how many degrees a given field may be off the direction of a feature: vectors in files have six digits.

@@ -216,7 +216,7 @@ void write_feature_alignment(const Signature_domain<TriangleMesh>& domain, const
 ///     \cgalParamDescription{the angle between two features, in degrees, below which a sector that makes no quarter turn makes
 ///       one of them soft; with 0 only where there is no other way, with 360 wherever there is no quarter turn}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{`default_smallest_sector_angle`, 20}
+///     \cgalParamDefault{`default_smallest_sector_angle`, 10}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{curvature_alignment}
 ///     \cgalParamDescription{see `compute_smooth_cross_field()`}

@@ -84,9 +84,9 @@ std::string describe(const Feature_detection_report<TriangleMesh>& report, const
 /// - it is not a short spur: if it ends inside the surface it is at least as long as 5 % of the longest side of the
 ///   bounding box of its component, if both of its ends do, 10 %, and if it is closed, 2 %.
 ///
-/// What is dropped counts among the others for what is left, until nothing is dropped any more. None of it depends on the
+/// What is dropped counts among the others for what is left, until nothing is dropped any more. Neither depends on the
 /// size of the triangles by itself: where a mesh of the same surface is finer, its creases are as sharp, and the edges
-/// around them turn less.
+/// around them turn less. A mesh whose triangles were divided into flat parts is taken for what it is, a solid of flat faces.
 ///
 /// The border is not marked; fields follow it anyway.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
