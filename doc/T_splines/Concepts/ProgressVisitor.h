@@ -25,6 +25,10 @@ These are the stages. What a function calls in its turn is a part of its own sta
 | `fill_holes()` | "hole filling" |
 | `check_triangle_mesh()` | "mesh check" |
 | `compute_smooth_cross_field()` | "cross field" |
+| `detect_features()` | "features" |
+| `refine_at_features()` | "refinement at features" |
+| `compute_feature_aligned_cross_field()` | "cross field along features" |
+| `check_feature_alignment()` | "feature check" |
 | `holonomy_signature_of_cross_field()`, `holonomy_signature_of_cones()` | "holonomy signature" |
 | `check_holonomy_signature()` | "signature check" |
 | `reduce_cones()` | "cone reduction" |

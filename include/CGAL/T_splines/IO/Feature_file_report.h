@@ -64,7 +64,8 @@ struct Feature_file_report {
   std::size_t line = none;                                   ///< where reading stopped
   std::size_t expected = 0;                                  ///< what `status` compares with
   std::size_t actual = 0;                                    ///< what was found
-  std::size_t first_vertex = 0, second_vertex = 0;           ///< counted from 0
+  std::size_t first_vertex = 0;                              ///< counted from 0
+  std::size_t second_vertex = 0;                             ///< counted from 0
   std::string text;                                          ///< what stands there
   std::size_t number_of_edges = 0;                           ///< that were marked, of SUCCESS
   std::size_t number_of_repetitions = 0;                     ///< how often one was named again, of SUCCESS
