@@ -275,6 +275,48 @@ TEST_CASE("features may touch the border, cross it, and close up")
   CHECK(sectors_at(scene, test::Point_3(6, 5, 0)) == std::vector<int>{1, 3});
 }
 
+TEST_CASE("corners that are given are met, also where features touch the border")
+{
+  using Corners = std::vector<ts::Holonomy_signature<Mesh>::Corner>;
+  for (const int n : {4, 12}) {
+    Mesh plate = open_meshes::plate(n, n);
+    Marks marks = marks_of(plate);
+    for (const auto e : plate.edges())
+      marks[e] = plate.point(source(e, plate)).x() == n / 2 && plate.point(target(e, plate)).x() == n / 2;
+    Scene scene(plate, marks);
+    const auto vertex_at = [&](const test::Point_3& p) {
+      return *std::find_if(scene.mesh.vertices().begin(), scene.mesh.vertices().end(),
+                           [&](const auto v) { return scene.mesh.point(v) == p; });
+    };
+    // Beside those of the square: two that turn inwards at both ends of the feature, and two on straight sides.
+    const Corners corners = {{vertex_at({0., 0., 0.}), 1},
+                             {vertex_at({double(n / 2 - 1), 0., 0.}), 1},
+                             {vertex_at({double(n / 2), double(n), 0.}), 3},
+                             {vertex_at({double(n / 2), 0., 0.}), 3},
+                             {vertex_at({double(n), 0., 0.}), 1},
+                             {vertex_at({0., double(n), 0.}), 1},
+                             {vertex_at({double(n), double(n), 0.}), 1},
+                             {vertex_at({double(n), double(n / 2), 0.}), 1}};
+    const auto np = ts::parameters::corners(std::optional<Corners>(corners));
+    const Report report = scene.compute(np);
+    REQUIRE(report.success());
+    CHECK(report.follows_all_features());
+    ts::Holonomy_signature<Mesh> signature;
+    const auto made =
+        ts::holonomy_signature_of_cross_field(scene.mesh, scene.field, signature, scene.np_with_matching(np));
+    CAPTURE(describe(made, scene.mesh));
+    REQUIRE(made.success());
+    for (const auto& corner : corners)
+      CHECK(signature.corner_quarter_turns(corner.first) == corner.second);
+    CHECK(signature.corners().size() == corners.size());
+    for (const double y : {0., double(n)}) {
+      const std::vector<int> sectors = sectors_at(scene, test::Point_3(n / 2, y, 0));
+      CHECK(sectors == std::vector<int>{1, 2});
+    }
+    CHECK(static_cast<int>(signature.cones().size()) == report.number_of_singularities);
+  }
+}
+
 namespace {
 
 // A disk of radius 1 with `sides` sectors and two features from its centre, one sector apart.

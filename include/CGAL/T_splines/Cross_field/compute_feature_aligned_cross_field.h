@@ -292,8 +292,9 @@ compute_feature_aligned_cross_field(const TriangleMesh& mesh, EdgeIsFeatureMap e
   }
   internal::Smooth_field_options options = internal::smooth_field_options(domain, np);
   const internal::Border_guide guide = domain.guide(np);
-  internal::Feature_aligned_field field(domain.m_connectivity, domain.m_geometry, domain.m_components, guide, options,
-                                        is_feature, smallest_angle * (CGAL_PI / 180), progress);
+  internal::Feature_aligned_field field(domain.m_connectivity, domain.m_geometry, domain.m_components, guide,
+                                        internal::given_corners<TriangleMesh>(np).has_value(), options, is_feature,
+                                        smallest_angle * (CGAL_PI / 180), progress);
   if (!progress.go_on() || !field.compute())
     return fail(Status::INTERRUPTED);
   report.number_of_rounds = field.number_of_rounds();

@@ -39,17 +39,20 @@ public:
     int edge, vertex;
   };
 
+  /// \param are_corners_given whether those of `guide` are to be met in any case, not only where the crosses turn so
   /// \param options of the field; which edges are constrained is changed by `compute()`
   /// \param is_feature per edge; none on the border
   /// \param narrow_sector the angle below which sectors do not get quarter turns from elsewhere
   /// \param progress it must outlive this
   Feature_aligned_field(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry,
-                        const Mesh_components& components, const Border_guide& guide, Smooth_field_options& options,
-                        const std::vector<char>& is_feature, const double narrow_sector, Progress& progress)
+                        const Mesh_components& components, const Border_guide& guide, const bool are_corners_given,
+                        Smooth_field_options& options, const std::vector<char>& is_feature, const double narrow_sector,
+                        Progress& progress)
     : m_mesh(mesh),
       m_geometry(geometry),
       m_components(components),
       m_guide(guide),
+      m_are_corners_given(are_corners_given),
       m_options(options),
       m_is_feature(is_feature),
       m_edge_turn(edge_turns(mesh, geometry)),
@@ -73,7 +76,9 @@ public:
       m_angle = computation.angles();
       m_energy = computation.energy();
       const Vertex_sectors sectors(m_mesh, m_is_feature);
-      is_final = !soften(sectors, low_sectors(sectors), true) && repair(sectors, computation.is_face_fixed());
+      const bool has_softened =
+          m_number_of_rounds < most_rounds_for_narrow_sectors && soften(sectors, low_sectors(sectors), true);
+      is_final = !has_softened && repair(sectors, computation.is_face_fixed());
       if (m_progress.is_interrupted())
         return false;
     }
@@ -99,6 +104,9 @@ public:
   }
 
 private:
+  // Then narrow sectors get quarter turns, too. One round or two are usual.
+  static constexpr int most_rounds_for_narrow_sectors = 20;
+
   void constrain_edges()
   {
     for (int e = 0; e < m_mesh.number_of_edges(); ++e) {
@@ -157,12 +165,14 @@ private:
     Low_vertex_repair repair(m_mesh, m_geometry, sectors, border_crosses(), Low_vertex_repair::Fixed_crosses::STAY,
                              is_face_fixed, m_angle, m_progress);
     m_number_of_repaired = repair.repair();
+    if (m_are_corners_given)
+      repair.meet_corners(m_guide.quarter_turns());
     m_rotation = repair.rotations();
     if (!m_progress.go_on())
       return false;
     std::vector<int> low;
     for (int s = 0; s < sectors.size(); ++s)
-      if (sectors.has_bounds(s) && repair.turns()[s] < 1)
+      if (sectors.has_bounds(s) && !sectors.is_between_borders(s) && repair.turns()[s] < 1)
         low.push_back(s);
     return !soften(sectors, low, false);
   }
@@ -171,6 +181,7 @@ private:
   const Triangle_geometry& m_geometry;
   const Mesh_components& m_components;
   const Border_guide& m_guide;
+  const bool m_are_corners_given;
   Smooth_field_options& m_options;
   std::vector<char> m_is_feature;  // per edge
   std::vector<double> m_edge_turn; // per edge

@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -63,7 +62,7 @@ public:
       m_angle(angle),
       m_progress(progress),
       m_rotation(field_rotations(mesh, angles_to_halfedges(mesh, geometry, angle))),
-      m_turns(sectors.size(), on_border),
+      m_turns(sectors.size()),
       m_usual_turns(sectors.size(), 4),
       m_unknown(mesh.number_of_faces(), null),
       m_marked(sectors.size(), 0)
@@ -71,8 +70,7 @@ public:
     const std::vector<double> turns = sectors.quarter_turns(geometry.m_corner_angle, m_rotation, border_cross);
     const std::vector<double> angles = sectors.angles(geometry.m_corner_angle);
     for (int s = 0; s < sectors.size(); ++s) {
-      if (!sectors.is_between_borders(s))
-        m_turns[s] = static_cast<int>(std::lround(turns[s]));
+      m_turns[s] = static_cast<int>(std::lround(turns[s]));
       if (sectors.has_bounds(s))
         m_usual_turns[s] = (std::max)(1, static_cast<int>(std::lround(angles[s] / quarter_turn)));
     }
@@ -83,11 +81,11 @@ public:
   {
     int number_repaired = 0;
     for (int s = 0; s < m_sectors.size() && m_progress.go_on_after(2); ++s) {
-      if (turns_after_ties(s) >= 1)
+      if (m_sectors.is_between_borders(s) || turns_after_ties(s) >= 1)
         continue;
       std::vector<int> around(1, s);
       m_crossed.clear();
-      while (m_turns[s] < 1 && carry_quarter_turn(s, around) && m_progress.go_on_after(100))
+      while (m_turns[s] < 1 && carry_quarter_turn(s, 1, around) && m_progress.go_on_after(100))
         ;
       smooth(around);
       ++number_repaired;
@@ -95,15 +93,44 @@ public:
     return number_repaired;
   }
 
+  /// gives the vertices on the border the quarter turns that are wanted, all their sectors together, as far as others can
+  /// give or take them: those with sectors where that goes best with the angles.
+  /// \param wanted per vertex; only those on the border matter
+  void meet_corners(const std::vector<int>& wanted)
+  {
+    for (int first = 0, end = 0; first < m_sectors.size() && m_progress.go_on_after(2); first = end) {
+      bool is_on_border = false;
+      int missing = wanted[m_sectors.vertex(first)];
+      for (end = first; end < m_sectors.size() && m_sectors.vertex(end) == m_sectors.vertex(first); ++end) {
+        is_on_border = is_on_border || m_mesh.face(opposite(m_sectors.first(end))) == null;
+        missing -= m_turns[end];
+      }
+      if (!is_on_border)
+        continue;
+      std::vector<int> around;
+      m_crossed.clear();
+      for (const int change = missing < 0 ? -1 : 1; missing != 0 && m_progress.go_on_after(100); missing -= change) {
+        int best = first;
+        for (int s = first + 1; s < end; ++s)
+          if ((m_usual_turns[s] - m_turns[s]) * change > (m_usual_turns[best] - m_turns[best]) * change)
+            best = s;
+        around.push_back(best);
+        if (m_turns[best] + change < 1 || !carry_quarter_turn(best, change, around))
+          break;
+      }
+      if (!around.empty())
+        smooth(around);
+    }
+  }
+
   /// Per edge, the rotation of the cross on entering the face of its even halfedge: the closest one, but for what is said
   /// above.
   const std::vector<double>& rotations() const { return m_rotation; }
 
-  /// Per sector, its quarter turns; 1 or more of those between borders, which are not looked at.
+  /// Per sector, its quarter turns.
   const std::vector<int>& turns() const { return m_turns; }
 
 private:
-  static constexpr int on_border = (std::numeric_limits<int>::max)();
   static constexpr double largest_rotation = quarter_turn / 2;
   static constexpr double tie_margin = 1e-6; // a rotation this close to the largest may be rounded the other way
 
@@ -113,26 +140,27 @@ private:
   // What is left of the turns of sector `s` if every tie in it is broken the wrong way, where crosses decide.
   int turns_after_ties(const int s) const
   {
-    if (m_turns[s] == on_border || m_fixed_crosses == Fixed_crosses::STAY)
-      return m_turns[s];
     int turns = m_turns[s];
+    if (m_fixed_crosses == Fixed_crosses::STAY)
+      return turns;
     m_sectors.for_each_halfedge(s, [&](const int h) { turns -= rotation(h) < tie_margin - largest_rotation ? 1 : 0; });
     return turns;
   }
 
-  // Carries a quarter turn to `s`. The sectors of the path are added to `around`.
-  bool carry_quarter_turn(const int s, std::vector<int>& around)
+  // Carries a quarter turn to `s`, or with a change of -1 away from it. The sectors of the path are added to `around`.
+  bool carry_quarter_turn(const int s, const int change, std::vector<int>& around)
   {
-    if (m_fixed_crosses == Fixed_crosses::STAY && carry_quarter_turn(s, around, [this](const int t) {
-          return m_turns[t] > m_usual_turns[t] - (m_sectors.has_bounds(t) ? 0 : 1);
+    if (m_fixed_crosses == Fixed_crosses::STAY && carry_quarter_turn(s, change, around, [this, change](const int t) {
+          const int tolerated = m_sectors.has_bounds(t) ? 0 : 1; // cones of three and five
+          return (m_turns[t] - m_usual_turns[t]) * change > -tolerated;
         }))
       return true;
-    return carry_quarter_turn(s, around, [](int) { return true; });
+    return carry_quarter_turn(s, change, around, [](int) { return true; });
   }
 
-  // Of the nearest sectors with more than one quarter turn that may give one, the one with most does.
-  template <typename MayGive>
-  bool carry_quarter_turn(const int s, std::vector<int>& around, const MayGive& may_give)
+  // Of the nearest sectors that may give a quarter turn and keep one, that with most does; or that with fewest takes it.
+  template <typename IsPartner>
+  bool carry_quarter_turn(const int s, const int change, std::vector<int>& around, const IsPartner& is_partner)
   {
     struct Reached {
       int sector, halfedge, parent, distance; // the halfedge to it from its parent, an index into the same list
@@ -143,34 +171,34 @@ private:
     std::size_t best = 0;
     for (std::size_t i = 0; i < reached.size() && (best == 0 || reached[i].distance < reached[best].distance); ++i) {
       m_sectors.for_each_halfedge(reached[i].sector, [&](const int h) {
-        if (!is_free_to_turn(h))
+        if (!is_free_to_turn(h, change))
           return;
         const int t = m_sectors.sector_across(reached[i].sector, h);
         if (m_marked[t] == m_mark)
           return;
         m_marked[t] = m_mark;
         reached.push_back({t, h, static_cast<int>(i), reached[i].distance + 1});
-        if (m_turns[t] != on_border && m_turns[t] > 1 && may_give(t) &&
-            (best == 0 || m_turns[t] > m_turns[reached[best].sector]))
+        if (!m_sectors.is_between_borders(t) && m_turns[t] - change >= 1 && is_partner(t) &&
+            (best == 0 || m_turns[t] * change > m_turns[reached[best].sector] * change))
           best = reached.size() - 1;
       });
     }
     if (best == 0)
       return false;
-    --m_turns[reached[best].sector];
-    ++m_turns[s];
+    m_turns[reached[best].sector] -= change;
+    m_turns[s] += change;
     for (int i = static_cast<int>(best); i != 0; i = reached[i].parent) {
       around.push_back(reached[i].sector);
-      add_rotation(reached[i].halfedge, -quarter_turn);
+      add_rotation(reached[i].halfedge, -change * quarter_turn);
       m_crossed.push_back(reached[i].halfedge);
     }
     return true;
   }
 
   // Whether the edge of `h` has two faces and no sector ends there, and the rotation across it stays less than half a turn.
-  bool is_free_to_turn(const int h) const
+  bool is_free_to_turn(const int h, const int change) const
   {
-    return !m_sectors.is_bound(h) && std::abs(rotation(h) - quarter_turn) < 2 * quarter_turn - tie_margin;
+    return !m_sectors.is_bound(h) && std::abs(rotation(h) - change * quarter_turn) < 2 * quarter_turn - tie_margin;
   }
 
   // Changes crosses around sectors such that all rotations there are closest ones, in a patch as small as possible. If
@@ -325,7 +353,7 @@ private:
   std::vector<double>& m_angle;
   Progress& m_progress;
   std::vector<double> m_rotation; // per edge
-  std::vector<int> m_turns;       // per sector: quarter turns, or `on_border`
+  std::vector<int> m_turns;       // per sector: quarter turns
   std::vector<int> m_usual_turns; // per sector: what it keeps if it can, 4 where it has no bounds
   std::vector<int> m_unknown;     // per face: its number in the patch that is relaxed, or null
   std::vector<int> m_crossed;     // the halfedges that the quarter turns of the last sector were carried across
