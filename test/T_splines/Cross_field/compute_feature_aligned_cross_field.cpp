@@ -412,6 +412,22 @@ TEST_CASE("the fields of mechanical parts follow all their features")
   }
 }
 
+TEST_CASE("sharp corners of the border have a quarter turn, too")
+{
+  for (const char* const name : {"triangular_hole.off", "elephant-with-holes.off"}) {
+    CAPTURE(name);
+    Mesh mesh;
+    REQUIRE(ts::read_triangle_mesh(std::string(T_SPLINES_DEMO_DATA) + "/meshes/" + name, mesh).success());
+    Marks marks = marks_of(mesh);
+    REQUIRE(ts::detect_features(mesh, marks).success());
+    Scene scene(mesh, marks);
+    const Report report = scene.compute();
+    check_field(scene, report, false);
+    CHECK(report.number_of_repaired_sectors > 0);
+    CHECK(report.follows_all_features());
+  }
+}
+
 TEST_CASE("where every edge is a feature, as on a torus, fields follow all but few of them")
 {
   Mesh torus = test::to_mesh<Mesh>(test::torus(6, 5));

@@ -159,6 +159,16 @@ TEST_CASE("noise has hardly any features, and hides no crease")
   }
 }
 
+TEST_CASE("a single triangle that is folded over has no features")
+{
+  const int n = 12;
+  Mesh mesh = sheet(n, [](double, double) { return 0.; });
+  CHECK(detected(mesh).number_of_edges == 0);
+  // The third corner of a triangle is moved across the opposite side: the triangle faces down, all others up.
+  mesh.point(Mesh::Vertex_index(6 * (n + 1) + 5)) = test::Point_3(5.45 / n, 5.55 / n, 0);
+  CHECK(detected(mesh).number_of_edges == 0);
+}
+
 TEST_CASE("a sphere has no features, and neither size nor place changes what is found")
 {
   Mesh sphere;

@@ -77,12 +77,13 @@ std::string describe(const Feature_detection_report<TriangleMesh>& report, const
 ///
 /// An edge is sharp if its faces differ in direction by the feature angle. Chains of such edges are extended from their loose
 /// ends along edges that turn by the weak feature angle. The noise of a scan, or the triangles of a coarse model of an
-/// animal, are sharp in this sense at many places. So two things more are asked of an arc, a chain between vertices with
+/// animal, are sharp in this sense at many places. So some things more are asked of an arc, a chain between vertices with
 /// other than two marked edges:
 /// - it is prominent: it turns, in the mean, by at least 8 times more than half of the other edges at its vertices, by
 ///   their lengths;
 /// - it is not a short spur: if it ends inside the surface it is at least as long as 5 % of the longest side of the
-///   bounding box of its component, if both of its ends do, 10 %, and if it is closed, 2 %.
+///   bounding box of its component, if both of its ends do, 10 %, and if it is closed, 2 %;
+/// - it is not the rim of a single triangle.
 ///
 /// What is dropped counts among the others for what is left, until nothing is dropped any more. Neither depends on the
 /// size of the triangles by itself: where a mesh of the same surface is finer, its creases are as sharp, and the edges

@@ -128,7 +128,7 @@ private:
       for (const Feature_arcs::Arc& arc : graph.arcs()) {
         if (!progress.go_on_after(20 * arc.halfedges.size()))
           return;
-        if (!is_prominent(arc) || (are_short_ones_dropped && is_short(graph, arc)))
+        if (!is_prominent(arc) || is_around_a_face(arc) || (are_short_ones_dropped && is_short(graph, arc)))
           dropped.push_back(&arc);
       }
       for (const Feature_arcs::Arc* const arc : dropped)
@@ -151,6 +151,15 @@ private:
     const double size = m_component_size[m_components.of_vertex[m_mesh.target(arc.halfedges.front())]];
     const double least = arc.is_closed ? shortest_loop : graph.number_of_loose_ends(arc) * shortest_loose_arc;
     return length(arc) < least * size;
+  }
+
+  // A single triangle that is folded out of a smooth surface is an error of the mesh.
+  bool is_around_a_face(const Feature_arcs::Arc& arc) const
+  {
+    if (!arc.is_closed || arc.halfedges.size() != 3)
+      return false;
+    const int h = arc.halfedges[0], g = opposite(h), second = arc.halfedges[1];
+    return m_mesh.next(h) == second || opposite(m_mesh.previous(g)) == second;
   }
 
   bool is_prominent(const Feature_arcs::Arc& arc)

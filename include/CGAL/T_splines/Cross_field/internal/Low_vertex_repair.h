@@ -46,7 +46,7 @@ public:
   /// What becomes of crosses that are fixed but leave no room.
   enum class Fixed_crosses { GIVE_WAY, STAY };
 
-  /// \param sectors of the vertices; those with nothing but border at both ends are left alone
+  /// \param sectors of the vertices; those with border at both ends give no quarter turns, and get some only where crosses stay
   /// \param border_cross as in `vertex_quarter_turns()`
   /// \param is_face_fixed per face: whether its cross stays as it is
   /// \param angle per face: of its cross; changed by `repair()`
@@ -81,7 +81,7 @@ public:
   {
     int number_repaired = 0;
     for (int s = 0; s < m_sectors.size() && m_progress.go_on_after(2); ++s) {
-      if (m_sectors.is_between_borders(s) || turns_after_ties(s) >= 1)
+      if ((m_fixed_crosses == Fixed_crosses::GIVE_WAY && m_sectors.is_between_borders(s)) || turns_after_ties(s) >= 1)
         continue;
       std::vector<int> around(1, s);
       m_crossed.clear();
