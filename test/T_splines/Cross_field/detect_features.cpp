@@ -159,6 +159,20 @@ TEST_CASE("noise has hardly any features, and hides no crease")
   }
 }
 
+TEST_CASE("a weak edge in the middle of a crease belongs to it, though the edges beside it turn, too")
+{
+  const int n = 12;
+  // The ridge of a roof: four vertices beside one of its edges are moved down, so that it turns by 28 degrees there.
+  Mesh mesh = sheet(n, [n](const double x, const double y) {
+    const bool is_moved = std::abs(x * n - 5.5) < 1 && std::abs(std::abs(y * n - 6) - 1) < 0.5;
+    return (is_moved ? 0.25 : 0.5) * std::abs(y - 0.5);
+  });
+  const auto figures = detected(mesh);
+  CHECK(figures.number_of_edges == n);
+  CHECK(figures.number_of_darts == 0);
+  CHECK(figures.number_of_ends_on_border == 2);
+}
+
 TEST_CASE("a single triangle that is folded over has no features")
 {
   const int n = 12;

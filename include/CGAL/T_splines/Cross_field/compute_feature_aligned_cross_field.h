@@ -105,7 +105,7 @@ std::string describe(const Feature_aligned_field_report<TriangleMesh>& report, c
   }
   if (report.soft_edges.empty())
     return text;
-  text += " but " + std::to_string(report.soft_edges.size()) + ", counted from 0: ";
+  text += " but for " + std::to_string(report.soft_edges.size()) + ", counted from 0: ";
   for (std::size_t i = 0; i < report.soft_edges.size(); ++i)
     text += (i > 0 ? ", " : "") + internal::edge_in_words(report.soft_edges[i].halfedge, mesh) + " at " +
             internal::vertex_in_words(report.soft_edges[i].vertex, mesh);

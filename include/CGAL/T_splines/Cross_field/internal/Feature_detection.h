@@ -198,8 +198,9 @@ private:
     return 0;
   }
 
-  // Lets chains grow from their loose ends along weaker edges, the one that turns most first, until these are not
-  // prominent any more or meet a feature or the border.
+  // Lets chains grow from their loose ends along weaker edges, those that close a gap and then those that turn most first,
+  // until these are not prominent any more or meet a feature or the border. An edge that closes a gap need not be
+  // prominent by itself.
   void extend(const double weak_angle, Progress& progress)
   {
     const Feature_arcs graph(m_mesh, m_is_feature);
@@ -207,43 +208,48 @@ private:
     for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
       is_reached[v] = graph.degree(v) > 0 || graph.is_on_border(v);
     for (const Feature_arcs::Arc& arc : graph.arcs())
-      for (const int end : {arc.halfedges.back(), opposite(arc.halfedges.front())}) {
+      for (int end : {arc.halfedges.back(), opposite(arc.halfedges.front())}) {
         if (!graph.is_loose_end(m_mesh.target(end)))
           continue;
-        for (int h = continuation(end, weak_angle);
-             h != Triangulation_connectivity::null && progress.go_on_after(10);) {
-          m_is_feature[edge_of(h)] = 1;
-          if (is_reached[m_mesh.target(h)])
+        while (progress.go_on_after(10)) {
+          end = continuation(end, weak_angle, is_reached);
+          if (end == Triangulation_connectivity::null || (!is_reached[m_mesh.target(end)] && !is_prominent(end)))
             break;
-          is_reached[m_mesh.target(h)] = 1;
-          h = continuation(h, weak_angle);
+          m_is_feature[edge_of(end)] = 1;
+          if (is_reached[m_mesh.target(end)])
+            break;
+          is_reached[m_mesh.target(end)] = 1;
         }
       }
   }
 
-  // The halfedge by which a chain that arrives by `h` goes on, or null.
-  int continuation(const int h, const double weak_angle)
+  // The halfedge, of an edge that turns by the weak angle at least, where a chain that arrives by `h` goes on; or null.
+  int continuation(const int h, const double weak_angle, const std::vector<char>& is_reached) const
   {
     int result = Triangulation_connectivity::null;
-    double largest_turn = weak_angle;
     m_mesh.for_each_around_source(m_outgoing[m_mesh.target(h)], [&](const int g) {
-      if (m_is_feature[edge_of(g)] || m_turn[edge_of(g)] < largest_turn)
+      if (m_is_feature[edge_of(g)] || m_turn[edge_of(g)] < weak_angle)
         return;
       const double cosine = m_geometry.vector(h) * m_geometry.vector(g) /
                             (m_geometry.m_edge_length[edge_of(h)] * m_geometry.m_edge_length[edge_of(g)]);
-      if (cosine < std::cos(largest_bend))
-        return;
-      largest_turn = m_turn[edge_of(g)];
-      result = g;
+      const auto rank = [&](const int k) {
+        return std::make_pair(is_reached[m_mesh.target(k)] != 0, m_turn[edge_of(k)]);
+      };
+      if (cosine >= std::cos(largest_bend) && (result == Triangulation_connectivity::null || rank(g) > rank(result)))
+        result = g;
     });
-    if (result == Triangulation_connectivity::null)
-      return result;
-    m_is_feature[edge_of(result)] = 1;
-    m_around.clear();
-    add_around(m_mesh.source(result));
-    add_around(m_mesh.target(result));
-    m_is_feature[edge_of(result)] = 0;
-    return largest_turn >= least_prominence * median_around() ? result : Triangulation_connectivity::null;
+    return result;
+  }
+
+  // Whether an edge that is not marked would be prominent as an arc of its own.
+  bool is_prominent(const int h)
+  {
+    m_is_feature[edge_of(h)] = 1;
+    Feature_arcs::Arc arc;
+    arc.halfedges.push_back(h);
+    const bool result = is_prominent(arc);
+    m_is_feature[edge_of(h)] = 0;
+    return result;
   }
 
   const Triangulation_connectivity& m_mesh;
