@@ -488,6 +488,12 @@ TEST_CASE("a field that does not follow features is told apart, with the place a
   CHECK(ts::check_feature_alignment(scene.mesh, scene.features, scene.field,
                                     CGAL::parameters::visitor(Stopping_visitor()))
             .status == ts::Feature_alignment_status::INTERRUPTED);
+  using Corners = std::vector<ts::Holonomy_signature<Mesh>::Corner>;
+  const auto cornered =
+      ts::check_feature_alignment(scene.mesh, scene.features, scene.field,
+                                  ts::parameters::corners(std::optional<Corners>(Corners{{Mesh::Vertex_index(0), 1}})));
+  CHECK(cornered.status == ts::Feature_alignment_status::INVALID_CORNERS);
+  CHECK(describe(cornered, scene.mesh).find("a corner is not on the border") == 0);
   const Mesh empty;
   CHECK(ts::check_feature_alignment(empty, scene.features, scene.field).status ==
         ts::Feature_alignment_status::INVALID_MESH);

@@ -163,7 +163,7 @@ TEST_CASE("a weak edge in the middle of a crease belongs to it, though the edges
 {
   const int n = 12;
   // The ridge of a roof: four vertices beside one of its edges are moved down, so that it turns by 28 degrees there.
-  Mesh mesh = sheet(n, [n](const double x, const double y) {
+  Mesh mesh = sheet(n, [](const double x, const double y) {
     const bool is_moved = std::abs(x * n - 5.5) < 1 && std::abs(std::abs(y * n - 6) - 1) < 0.5;
     return (is_moved ? 0.25 : 0.5) * std::abs(y - 0.5);
   });

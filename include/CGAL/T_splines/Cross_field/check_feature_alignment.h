@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
 #include <CGAL/T_splines/Cross_field/internal/Signature_domain.h>
 #include <CGAL/T_splines/Cross_field/internal/Vertex_sectors.h>
+#include <CGAL/T_splines/Cross_field/internal/check_numbered_vertices.h>
 #include <CGAL/T_splines/Cross_field/internal/sector_turns.h>
 #include <CGAL/T_splines/Cross_field/support/cross_angles.h>
 #include <CGAL/T_splines/defaults.h>
@@ -35,6 +36,7 @@ namespace T_splines {
 enum class Feature_alignment_status {
   ALIGNED,             ///< the field follows all features, and each sector has a quarter turn
   INVALID_MESH,        ///< the mesh is refused: see `mesh`
+  INVALID_CORNERS,     ///< the corners that are given are refused: see `corners`
   INVALID_FIELD,       ///< the field has no direction at `face`
   NOT_ALIGNED,         ///< the cross in the face of `halfedge` is off the direction of this feature by `deviation`
   SECTOR_WITHOUT_TURN, ///< the sector that begins with `halfedge`, at its source, has `actual` < 1 quarter turns
@@ -48,6 +50,7 @@ inline const char* message(const Feature_alignment_status status)
   switch (status) {
   case Feature_alignment_status::ALIGNED: return "the field follows the features";
   case Feature_alignment_status::INVALID_MESH: return "the mesh is not a triangle mesh with positive areas";
+  case Feature_alignment_status::INVALID_CORNERS: return "the corners are not those of a border";
   case Feature_alignment_status::INVALID_FIELD: return "the field has no direction in a face";
   case Feature_alignment_status::NOT_ALIGNED: return "the field does not follow a feature";
   case Feature_alignment_status::SECTOR_WITHOUT_TURN:
@@ -65,9 +68,10 @@ template <typename TriangleMesh>
 struct Feature_alignment_report {
   using Traits = boost::graph_traits<TriangleMesh>;
 
-  Feature_alignment_status status = Feature_alignment_status::ALIGNED;     ///< what is wrong
-  Triangle_mesh_report<TriangleMesh> mesh;                                 ///< the check of the mesh
-  typename Traits::face_descriptor face = Traits::null_face();             ///< a face without direction
+  Feature_alignment_status status = Feature_alignment_status::ALIGNED; ///< what is wrong
+  Triangle_mesh_report<TriangleMesh> mesh;                             ///< the check of the mesh
+  Holonomy_signature_report<TriangleMesh> corners;                     ///< the check of the named parameter `corners`
+  typename Traits::face_descriptor face = Traits::null_face();         ///< a face without direction
   typename Traits::halfedge_descriptor halfedge = Traits::null_halfedge(); ///< of a feature
   int actual = 0;                                                          ///< quarter turns of a sector
   double deviation = 0; ///< the largest angle between a feature and the cross beside it, in degrees
@@ -87,6 +91,7 @@ std::string describe(const Feature_alignment_report<TriangleMesh>& report, const
   text << message(report.status);
   switch (report.status) {
   case Feature_alignment_status::INVALID_MESH: return describe(report.mesh, mesh);
+  case Feature_alignment_status::INVALID_CORNERS: return describe(report.corners, mesh);
   case Feature_alignment_status::INVALID_FIELD:
     text << ": " << internal::face_in_words(report.face, mesh) << ", counted from 0";
     break;
@@ -120,6 +125,24 @@ inline int worst_feature(const Triangulation_connectivity& mesh, const std::vect
     }
   }
   return worst;
+}
+
+// The quarter turns that a field makes in each sector, by its matchings if there are any.
+template <typename TriangleMesh, typename NamedParameters>
+std::vector<int> turns_of_sectors(const Signature_domain<TriangleMesh>& domain, const Vertex_sectors& sectors,
+                                  const std::vector<double>& angle_in_face, const NamedParameters& np)
+{
+  const Triangulation_connectivity& mesh = domain.m_connectivity;
+  int worst_on_border = 0;
+  double deviation_of_border = 0;
+  const std::vector<double> border_cross =
+      border_crosses(mesh, domain.m_geometry, domain.guide(np),
+                     angles_to_halfedges(mesh, domain.m_geometry, angle_in_face), worst_on_border, deviation_of_border);
+  std::vector<int> result;
+  for (const double turns : sectors.quarter_turns(domain.m_geometry.m_corner_angle,
+                                                  matched_rotations(domain, angle_in_face, np), border_cross))
+    result.push_back(static_cast<int>(std::lround(turns)));
+  return result;
 }
 
 } // namespace internal
@@ -204,6 +227,9 @@ check_feature_alignment(const TriangleMesh& mesh, const EdgeIsFeatureMap& edge_i
   report.mesh = internal::triangle_mesh_report(mesh, np, progress);
   if (!report.mesh.success())
     return fail(progress.is_interrupted() ? Status::INTERRUPTED : Status::INVALID_MESH);
+  internal::check_given_corners(mesh, np, report.corners);
+  if (!report.corners.success())
+    return fail(Status::INVALID_CORNERS);
   const internal::Signature_domain<TriangleMesh> domain(mesh, np);
   const internal::Triangulation_connectivity& connectivity = domain.m_connectivity;
   std::vector<double> angle_in_face;
@@ -213,9 +239,10 @@ check_feature_alignment(const TriangleMesh& mesh, const EdgeIsFeatureMap& edge_i
     report.face = domain.m_indexing.face(face);
     return fail(Status::INVALID_FIELD);
   }
-  const std::vector<double> angle = internal::angles_to_halfedges(connectivity, domain.m_geometry, angle_in_face);
   const std::vector<char> is_feature = internal::inner_features(domain.m_indexing, connectivity, edge_is_feature);
-  const int worst = internal::worst_feature(connectivity, is_feature, angle, report.deviation);
+  const int worst = internal::worst_feature(
+      connectivity, is_feature, internal::angles_to_halfedges(connectivity, domain.m_geometry, angle_in_face),
+      report.deviation);
   report.deviation *= 180 / CGAL_PI;
   if (report.deviation >
       choose_parameter(get_parameter(np, np_tags::largest_feature_deviation), default_feature_deviation)) {
@@ -224,15 +251,8 @@ check_feature_alignment(const TriangleMesh& mesh, const EdgeIsFeatureMap& edge_i
   }
   if (!progress.go_on())
     return fail(Status::INTERRUPTED);
-  int worst_on_border = 0;
-  double deviation_of_border = 0;
-  const std::vector<double> border_cross = internal::border_crosses(connectivity, domain.m_geometry, domain.guide(np),
-                                                                    angle, worst_on_border, deviation_of_border);
   const internal::Vertex_sectors sectors(connectivity, is_feature);
-  std::vector<int> turns;
-  for (const double t : sectors.quarter_turns(domain.m_geometry.m_corner_angle,
-                                              internal::matched_rotations(domain, angle_in_face, np), border_cross))
-    turns.push_back(static_cast<int>(std::lround(t)));
+  const std::vector<int> turns = internal::turns_of_sectors(domain, sectors, angle_in_face, np);
   const auto sector_turns = get_parameter(np, np_tags::halfedge_sector_turns_map);
   if constexpr (!internal::is_missing<decltype(sector_turns)>)
     internal::put_sector_turns(domain.m_indexing, connectivity, sectors, turns, sector_turns);
