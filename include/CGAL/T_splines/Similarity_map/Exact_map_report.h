@@ -32,8 +32,9 @@ enum class Exact_map_status {
   TRANSITION_NOT_SIMILAR, ///< across `halfedge` the coordinates do not change by the similarity of its branch
   SCALE_PRODUCT,          ///< the scale factors around `vertex` do not multiply to 1
   BORDER_NOT_ALIGNED,     ///< the border edge of `halfedge` is not parallel to an axis
-  ORIENTATION_LOST,       ///< with exact transitions, `faces` are not positively oriented
-  INTERRUPTED             ///< the visitor asked to stop
+  CONSTRAINED_EDGE_NOT_ALIGNED, ///< the edge of `halfedge`, which is to lie on an isoline, is not parallel to an axis
+  ORIENTATION_LOST,             ///< with exact transitions, `faces` are not positively oriented
+  INTERRUPTED                   ///< the visitor asked to stop
 };
 
 /// \ingroup PkgTSplinesSimilarityMap
@@ -53,6 +54,8 @@ inline const char* message(const Exact_map_status status)
   case Exact_map_status::TRANSITION_NOT_SIMILAR: return "the transition across a seam is no similarity";
   case Exact_map_status::SCALE_PRODUCT: return "the scale factors around a vertex do not multiply to one";
   case Exact_map_status::BORDER_NOT_ALIGNED: return "a border edge is not parallel to an axis";
+  case Exact_map_status::CONSTRAINED_EDGE_NOT_ALIGNED:
+    return "an edge that is to lie on an isoline is not parallel to an axis of the map";
   case Exact_map_status::ORIENTATION_LOST: return "exact transitions are not possible without flipping a triangle";
   case Exact_map_status::INTERRUPTED: return "interrupted by the visitor";
   }

@@ -70,6 +70,13 @@ public:
   /// border the angle of the corner, 2 at a regular vertex.
   int quarter_turns(const vertex_descriptor v) const { return m_layout.quarter_turns(m_indexing.vertex_index(v)); }
 
+  /// returns whether `e` is an inner edge that was to lie on an isoline (`edge_is_constrained_map` of
+  /// `make_exactly_seamless()`): at its two ends u is the same, or v, exactly.
+  bool is_constrained(const edge_descriptor e) const
+  {
+    return m_layout.is_constrained(internal::edge_of(m_indexing.halfedge_index(halfedge(e, mesh()))));
+  }
+
   /// \cond INTERNAL
   // For the algorithms of this package.
   const internal::Mesh_indexing<TriangleMesh>& indexing() const { return m_indexing; }

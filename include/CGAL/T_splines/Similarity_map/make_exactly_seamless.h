@@ -35,6 +35,19 @@ Uv_array uv_array(const Mesh_indexing<TriangleMesh>& indexing, const HalfedgeUVM
   return result;
 }
 
+/// Per edge, or empty if the parameter is not given.
+template <typename TriangleMesh, typename EdgeIsConstrainedMap>
+std::vector<char> constrained_edges(const Mesh_indexing<TriangleMesh>& indexing,
+                                    const EdgeIsConstrainedMap& edge_is_constrained_map)
+{
+  std::vector<char> result;
+  if constexpr (!is_missing<EdgeIsConstrainedMap>)
+    for (int e = 0; 2 * e < indexing.number_of_halfedges(); ++e)
+      result.push_back(
+          get(edge_is_constrained_map, edge(indexing.halfedge(halfedge_of_edge(e)), indexing.graph())) ? 1 : 0);
+  return result;
+}
+
 template <typename TriangleMesh, typename FT>
 Exact_map_report<TriangleMesh> exact_map_report(const Mesh_indexing<TriangleMesh>& indexing,
                                                 const Exact_map_figures& figures, const Seamless_layout<FT>& layout)
@@ -86,6 +99,10 @@ Exact_map_report<TriangleMesh> exact_map_report(const Mesh_indexing<TriangleMesh
 /// 1e-5 (`internal::coincidence_tolerance`) times the longest side of the triangle there, or what noise explains, both are
 /// moved such that it runs into it exactly. If all scale factors are 1, all coordinates become doubles and those of
 /// seams and cones short ones, so that knots of the traced T-mesh are doubles.
+///
+/// Inner edges that are to lie on isolines, and do but for round-off, are moved there exactly: u is the same at both
+/// ends, or v, in the charts of both faces. Where they close up along a line of which the scale factor is not 1, they come
+/// to lie on the one isoline that the transitions map to itself.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam HalfedgeUVMap a model of `ReadablePropertyMap`, halfedge -> `Point_2`: finite coordinates of the target of
 ///   the halfedge in the chart of its face; read on inner halfedges only
@@ -104,6 +121,11 @@ Exact_map_report<TriangleMesh> exact_map_report(const Mesh_indexing<TriangleMesh
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1e-6, or what rounding explains if no coordinate has more than seven (2e-6) or six (2e-5)
 ///       significant decimal digits}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{which edges are to lie on isolines; those of the border, which do so anyway, do not count}
+///     \cgalParamType{a model of `ReadablePropertyMap`, edge of the mesh -> `bool`}
+///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{what hears of the progress and may stop the work}
@@ -146,8 +168,10 @@ Exact_map_report<TriangleMesh> make_exactly_seamless(const TriangleMesh& mesh, c
   else
     tolerance = given_tolerance;
   progress.go_on();
-  internal::Exact_map_computation<FT> computation(internal::triangulation_connectivity(map.indexing()), std::move(uv),
-                                                  tolerance, progress);
+  internal::Exact_map_computation<FT> computation(
+      internal::triangulation_connectivity(map.indexing()), std::move(uv),
+      internal::constrained_edges(map.indexing(), get_parameter(np, CGAL::internal_np::edge_is_constrained)), tolerance,
+      progress);
   computation.run();
   const Exact_map_report<TriangleMesh> report =
       internal::exact_map_report(map.indexing(), computation.figures(), computation.layout());

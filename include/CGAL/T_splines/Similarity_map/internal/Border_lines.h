@@ -4,17 +4,16 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_BORDER_LINES_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_BORDER_LINES_H
 
-#include <CGAL/T_splines/Similarity_2.h>
+#include <CGAL/T_splines/Similarity_map/internal/Chart_line.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>
+#include <CGAL/T_splines/Similarity_map/internal/Isoline_arcs.h>
 #include <CGAL/T_splines/Similarity_map/internal/Isoline_search.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
-#include <CGAL/T_splines/internal/tolerances.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -32,29 +31,24 @@ class Border_lines {
   using Index = Triangulation_connectivity::Index;
 
 public:
-  /// An isoline of a chart. Points on it have the coordinate `value` along `axis`: 0 for u, 1 for v.
   template <typename FT>
-  struct Line {
-    int axis;
-    FT value;
+  using Line = Chart_line<FT>;
 
-    Line mapped(const Similarity_2<FT>& transition) const
-    {
-      const std::pair<FT, FT> image = axis == 0 ? transition(value, FT(0)) : transition(FT(0), value);
-      const int image_axis = axis ^ (transition.quarter_turns() & 1);
-      return {image_axis, image_axis == 0 ? image.first : image.second};
-    }
-  };
-
-  Border_lines(const Triangulation_connectivity& mesh, const Uv_array& uv, const Cut_sectors& sectors)
+  /// \param arcs where they end on the border, it is not taken to be one line
+  Border_lines(const Triangulation_connectivity& mesh, const Uv_array& uv, const Cut_sectors& sectors,
+               const Isoline_arcs& arcs)
     : m_mesh(mesh),
       m_uv(uv),
-      m_sectors(sectors)
+      m_sectors(sectors),
+      m_is_met(sectors.number_of_vertices(), 0)
   {
     std::vector<int> entry(mesh.number_of_vertices(), -1);
     for (int i = 0; i < sectors.number_of_vertices(); ++i)
       if (sectors.is_on_border[i])
         entry[sectors.vertices[i]] = i;
+    for (const Index corner : arcs.corners_of_nodes())
+      if (entry[mesh.target(corner)] != -1)
+        m_is_met[entry[mesh.target(corner)]] = 1;
     for (int i = 0; i < sectors.number_of_vertices(); ++i) {
       if (!sectors.is_on_border[i] || entry[sectors.vertices[i]] == -1)
         continue;
@@ -76,29 +70,27 @@ public:
     for (const std::vector<int>& loop : m_loops)
       for (const int i : loop) {
         const Index h = first_halfedge(i);
-        const std::array<double, 2>&p = m_uv[m_mesh.previous(h)], &q = m_uv[h];
-        const double du = std::abs(p[0] - q[0]), dv = std::abs(p[1] - q[1]);
-        const double angle = std::atan2(std::min(du, dv), std::max(du, dv));
-        const double size = std::max(largest_coordinate(p), largest_coordinate(q));
-        const double allowed = tolerance * (1 + size / distance(p, q));
-        if (!(angle <= std::min(allowed, largest_uncertainty)))
+        const auto [angle, is_oblique] = obliqueness(m_mesh, m_uv, h, tolerance);
+        if (is_oblique)
           return {h, angle};
       }
     return {Triangulation_connectivity::null, 0};
   }
 
-  /// Whether a loop has a vertex whose angle is an odd number of right angles.
+  /// Whether a loop has a vertex whose angle is an odd number of right angles, or at which an arc ends.
   bool has_corner(const std::size_t loop, const std::vector<int>& quarter_turns) const
   {
     return std::any_of(m_loops[loop].begin(), m_loops[loop].end(),
-                       [&](const int i) { return quarter_turns[i] % 2 != 0; });
+                       [&](const int i) { return quarter_turns[i] % 2 != 0 || m_is_met[i] != 0; });
   }
+
+  /// Whether, on a loop with a corner, the line of the border ends at a vertex: of its entry, and its angle.
+  bool is_end(const int i, const int quarter_turns) const { return quarter_turns != 2 || m_is_met[i] != 0; }
 
   /// The axis along which the first edge of a loop has one coordinate: its border edge behind the first vertex.
   int first_axis(const std::size_t loop) const { return axis(first_halfedge(m_loops[loop].front())); }
 
-  /// The lines between corners, as coincidences: two vertices that are not regular, one after the other, of a loop with
-  /// a corner lie on one line.
+  /// The lines between corners, as coincidences: two ends, one after the other, of a loop with a corner lie on one line.
   std::vector<Isoline_coincidence> sides(const std::vector<int>& quarter_turns) const
   {
     std::vector<Isoline_coincidence> result;
@@ -107,13 +99,13 @@ public:
         continue;
       const std::vector<int>& loop = m_loops[l];
       for (std::size_t begin = 0; begin < loop.size(); ++begin) {
-        if (quarter_turns[loop[begin]] == 2)
+        if (!is_end(loop[begin], quarter_turns[loop[begin]]))
           continue;
         const int i = loop[begin], last = m_sectors.first_sector[i] + m_sectors.number_of_sectors(i) - 1;
         Isoline_coincidence side{m_mesh.previous(m_sectors.halfedge[last]), Triangulation_connectivity::null, 0, {}, 0};
         std::size_t k = (begin + 1) % loop.size();
         side.axis = axis(first_halfedge(loop[k]));
-        for (; quarter_turns[loop[k]] == 2; k = (k + 1) % loop.size())
+        for (; !is_end(loop[k], quarter_turns[loop[k]]); k = (k + 1) % loop.size())
           for (int j = 1; j < m_sectors.number_of_sectors(loop[k]); ++j)
             side.crossed.push_back(opposite(m_sectors.halfedge[m_sectors.first_sector[loop[k]] + j]));
         side.end = m_mesh.previous(first_halfedge(loop[k]));
@@ -127,7 +119,7 @@ public:
   /// \param transition function object: halfedge -> transition from the chart of its face to that of its opposite's
   /// \param coordinate function object: corner, axis -> coordinate, a double
   /// \param quarter_turns, kept per cut vertex: its angle, and the sector whose chart is meant
-  /// \param start per cut vertex. Given are those of loops with corners that are not regular, in their last sectors;
+  /// \param start per cut vertex. Given are the ends on loops with corners, in their last sectors;
   ///   the others on the border are written
   /// \return a loop without corners whose line the transitions around it do not map to itself, or -1
   template <typename FT, typename Transition_of, typename Coordinate>
@@ -139,13 +131,13 @@ public:
       const std::vector<int>& loop = m_loops[l];
       const bool is_closed = !has_corner(l, quarter_turns);
       std::size_t first = 0;
-      while (!is_closed && quarter_turns[loop[first]] == 2)
+      while (!is_closed && !is_end(loop[first], quarter_turns[loop[first]]))
         ++first;
       Line<FT> line = is_closed ? closed_line<FT>(transition, coordinate, loop) : Line<FT>{0, FT(0)};
       const Line<FT> first_line = line;
       for (std::size_t k = 0; k < loop.size(); ++k) {
         const int i = loop[(first + k + (is_closed ? 1 : 0)) % loop.size()];
-        if (!is_closed && quarter_turns[i] != 2) {
+        if (!is_closed && is_end(i, quarter_turns[i])) {
           line.axis = axis(first_halfedge(loop[(first + k + 1) % loop.size()]));
           line.value = line.axis == 0 ? start[i].first : start[i].second;
           continue;
@@ -163,11 +155,7 @@ private:
   // The border edge, as an inner halfedge, by which one comes to a vertex: it points away from it.
   Index first_halfedge(const int i) const { return m_sectors.halfedge[m_sectors.first_sector[i]]; }
 
-  int axis(const Index h) const
-  {
-    const std::array<double, 2>&p = m_uv[m_mesh.previous(h)], &q = m_uv[h];
-    return std::abs(p[0] - q[0]) < std::abs(p[1] - q[1]) ? 0 : 1;
-  }
+  int axis(const Index h) const { return constant_axis(m_mesh, m_uv, h); }
 
   // Carries a line from the first sector of a vertex to another one.
   template <typename FT, typename Transition_of>
@@ -228,6 +216,7 @@ private:
   const Uv_array& m_uv;
   const Cut_sectors& m_sectors;
   std::vector<std::vector<int>> m_loops;
+  std::vector<char> m_is_met; // by an arc, per cut vertex
 };
 
 } // namespace internal

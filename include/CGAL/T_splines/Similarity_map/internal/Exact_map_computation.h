@@ -10,7 +10,9 @@
 #include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>
 #include <CGAL/T_splines/Similarity_map/internal/Exact_corners.h>
 #include <CGAL/T_splines/Similarity_map/internal/Exact_transitions.h>
+#include <CGAL/T_splines/Similarity_map/internal/Isoline_arcs.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
+#include <CGAL/T_splines/Similarity_map/internal/isolines_of_cones.h>
 #include <CGAL/T_splines/Similarity_map/internal/uv_orientation.h>
 #include <CGAL/T_splines/Similarity_map/support/Seamless_layout.h>
 #include <CGAL/T_splines/internal/Progress.h>
@@ -23,8 +25,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -56,11 +56,14 @@ class Exact_map_computation {
 public:
   static constexpr int none = -1;
 
+  /// \param is_constrained per edge: those that are to lie on isolines; empty for none
   /// \param tolerance of the transitions, relative
   /// \param progress it must outlive this
-  Exact_map_computation(Triangulation_connectivity mesh, Uv_array uv, const double tolerance, Progress& progress)
+  Exact_map_computation(Triangulation_connectivity mesh, Uv_array uv, std::vector<char> is_constrained,
+                        const double tolerance, Progress& progress)
     : m_mesh(std::move(mesh)),
       m_uv(std::move(uv)),
+      m_is_constrained(std::move(is_constrained)),
       m_tolerance(tolerance),
       m_progress(progress)
   {
@@ -96,9 +99,10 @@ private:
     if (!is_at(0.3))
       return false;
     const Cut_sectors sectors(m_mesh, seams.cut_edges());
-    const Border_lines border(m_mesh, m_uv, sectors);
+    const Isoline_arcs arcs(m_mesh, m_uv, std::move(m_is_constrained));
+    const Border_lines border(m_mesh, m_uv, sectors, arcs);
     std::vector<int> quarter_turns; // per cut vertex
-    if (!check_border(border) || !read_cone_angles(sectors, seams.cut_edges(), quarter_turns))
+    if (!check_isolines(border, arcs) || !read_cone_angles(sectors, seams.cut_edges(), quarter_turns))
       return false;
     const Cut_graph graph(m_mesh, sectors, nodes(sectors, quarter_turns), border.loops());
     std::vector<Branch_fit> fits;
@@ -112,10 +116,11 @@ private:
     if (!is_at(0.4))
       return false;
     m_layout = Seamless_layout<FT>(m_mesh, m_uv);
+    m_layout.set_constrained_edges(arcs.constrained_edges());
     std::vector<int> counted = counted_quarter_turns();
     if (!is_at(0.5))
       return false;
-    Exact_corners corners(map, cones_off_cut(map, counted));
+    Exact_corners corners(map, arcs, other_free_points(map, arcs, counted));
     if (!is_at(0.6))
       return false;
     Exact_transitions<double> trial(map, corners.points(), kinds, uncertainty, m_progress);
@@ -170,11 +175,14 @@ private:
                 0);
   }
 
-  bool check_border(const Border_lines& border)
+  bool check_isolines(const Border_lines& border, const Isoline_arcs& arcs)
   {
-    const std::pair<Index, double> oblique = border.first_oblique_edge(m_tolerance);
-    return oblique.first == m_mesh.null ||
-           fail(Exact_map_status::BORDER_NOT_ALIGNED, none, oblique.first, oblique.second);
+    const std::pair<Index, double> border_edge = border.first_oblique_edge(m_tolerance);
+    if (border_edge.first != m_mesh.null)
+      return fail(Exact_map_status::BORDER_NOT_ALIGNED, none, border_edge.first, border_edge.second);
+    const std::pair<Index, double> edge = arcs.first_oblique_edge(m_tolerance);
+    return edge.first == m_mesh.null ||
+           fail(Exact_map_status::CONSTRAINED_EDGE_NOT_ALIGNED, none, edge.first, edge.second);
   }
 
   // The angles around cut vertices must be multiples of a right angle, up to what the tolerance makes of short edges.
@@ -299,41 +307,6 @@ private:
 
   int given_octant(const Index h) const { return uv_octant(m_uv[m_mesh.previous(h)], m_uv[h]); }
 
-  // Halfedges that point to cones off the cut and, on surfaces with neither cones nor border, to the vertex that the
-  // tracer starts from: their first one.
-  std::vector<std::pair<Index, int>> cones_off_cut(const Cut_map& map, const std::vector<int>& counted) const
-  {
-    std::vector<int> root(m_mesh.number_of_vertices());
-    std::iota(root.begin(), root.end(), 0);
-    const auto root_of = [&root](int v) {
-      while (root[v] != v)
-        v = root[v] = root[root[v]];
-      return v;
-    };
-    for (Index e = 0; e < m_mesh.number_of_edges(); ++e) {
-      const Index h = halfedge_of_edge(e);
-      const int a = root_of(m_mesh.target(h)), b = root_of(m_mesh.source(h));
-      root[std::max(a, b)] = std::min(a, b);
-    }
-    const std::vector<Index> outgoing = m_mesh.outgoing_halfedges();
-    std::vector<char> has_start(m_mesh.number_of_vertices(), 0);
-    std::vector<std::pair<Index, int>> result;
-    int next_entry = 0;
-    for (Index v = 0; v < m_mesh.number_of_vertices(); ++v) {
-      const bool is_cut = next_entry < map.sectors.number_of_vertices() && map.sectors.vertices[next_entry] == v;
-      const int i = is_cut ? next_entry++ : Cut_map::none;
-      if (i == Cut_map::none ? counted[v] == 4 : !map.sectors.is_on_border[i] && map.quarter_turns[i] == 4)
-        continue;
-      has_start[root_of(v)] = 1;
-      if (i == Cut_map::none)
-        result.emplace_back(m_mesh.previous(outgoing[v]), counted[v]);
-    }
-    for (Index v = 0; v < m_mesh.number_of_vertices(); ++v)
-      if (root[v] == v && has_start[v] == 0 && outgoing[v] != m_mesh.null)
-        result.emplace_back(m_mesh.previous(outgoing[v]), 4);
-    return result;
-  }
-
   // With the scale factors of the map itself, the transitions that close around the nodes must still fit.
   bool check_closing(const Cut_map& map, Exact_transitions<double>& transitions)
   {
@@ -345,39 +318,6 @@ private:
         return fail(Exact_map_status::TRANSITION_NOT_SIMILAR, none, worst.second, worst.first);
     }
     return true;
-  }
-
-  // Isolines that connect cones but for round-off. \param transitions of the map itself
-  std::vector<Isoline_coincidence> find_lines(const Cut_map& map, const Free_points& points,
-                                              const Exact_transitions<double>& transitions)
-  {
-    std::vector<Similarity_2<double>> along, against;
-    for (int b = 0; b < map.graph.number_of_branches(); ++b) {
-      along.push_back(transitions.transition(b));
-      against.push_back(along.back().inverse());
-    }
-    const auto transition = [&](const Index h) -> const Similarity_2<double>& {
-      return (map.graph.is_along(h) ? along : against)[map.graph.branch_of_edge(edge_of(h))];
-    };
-    using Search = Isoline_search<decltype(transition)>;
-    std::vector<typename Search::Cone> cones;
-    int number_of_rays = 0;
-    const auto add = [&](const Index outgoing, const int k, const bool is_on_border) {
-      cones.push_back({outgoing, k, is_on_border});
-      number_of_rays += k;
-    };
-    for (int i = 0; i < map.sectors.number_of_vertices(); ++i)
-      if (!map.sectors.is_on_border[i] && map.quarter_turns[i] % 4 != 0)
-        add(map.sectors.halfedge[map.sectors.first_sector[i]], map.quarter_turns[i], false);
-    for (int p = 0; p < points.size(); ++p) {
-      const int i = points[p].entry;
-      if (i == Free_points::none)
-        add(m_mesh.next(points[p].corner), points[p].quarter_turns, false);
-      else
-        add(map.sectors.halfedge[map.sectors.first_sector[i]], map.quarter_turns[i], map.sectors.is_on_border[i] != 0);
-    }
-    const int longest = 64 + m_mesh.number_of_faces() / std::max(2 * number_of_rays, 1);
-    return Search(m_mesh, m_uv, map.is_cut, transition, cones, m_figures.deviation).run(longest, m_progress);
   }
 
   // The number of bits by which coordinates on the cut, in multiples of a power of two, are far below the heights of
@@ -392,9 +332,11 @@ private:
   bool make_exact(const Cut_map& map, Exact_corners& corners, Exact_transitions<double>& trial,
                   Exact_transitions<FT>& transitions)
   {
-    const std::vector<Isoline_coincidence> sides = map.border.sides(map.quarter_turns),
-                                           found = find_lines(map, corners.points(), trial);
-    std::vector<Isoline_coincidence> chosen;
+    std::vector<Isoline_coincidence> sides = map.border.sides(map.quarter_turns), chosen;
+    for (Isoline_coincidence& line : corners.arcs().coincidences())
+      sides.push_back(std::move(line));
+    const std::vector<Isoline_coincidence> found =
+        nearly_coincident_isolines(map, corners, trial, m_layout.constrained_edges(), m_figures.deviation, m_progress);
     // If triangles are in the way, only round-off is removed, which is measured up to some 1e-9, or nothing.
     constexpr std::array<double, 3> largest_gaps{1, 1e-9, -1};
     for (const double largest_gap : largest_gaps) {
@@ -463,13 +405,12 @@ private:
       transitions.compute(bits);
       if (!m_progress.go_on())
         return false;
-      const int open_loop = corners.write(transitions, m_layout);
-      if (open_loop != -1 && !is_last)
-        continue; // with so few bits, scale factors multiply to 1 that do not: the border has no line of its own
-      CGAL_assertion(open_loop == -1); // those that differ from 1 by round-off are 1, and equations close their loops
-      if (open_loop != -1)
-        return fail(Exact_map_status::ORIENTATION_LOST, map.sectors.vertices[map.border.loops()[open_loop].front()],
-                    none, 0);
+      const Index open = corners.write(transitions, m_layout); // a vertex of a line
+      if (open != none && !is_last)
+        continue; // with so few bits, scale factors multiply to 1 that do not: a closed line is not where it was
+      CGAL_assertion(open == none); // those that differ from 1 by round-off are 1, and equations close their loops
+      if (open != none)
+        return fail(Exact_map_status::ORIENTATION_LOST, open, none, 0);
       m_figures.faces = corners.lost_faces(m_layout);
       if (m_figures.faces.empty() && ((is_last && is_any_accepted) || corners.is_harmless(m_layout.coordinates())))
         return true;
@@ -500,6 +441,7 @@ private:
 
   Triangulation_connectivity m_mesh;
   Uv_array m_uv;
+  std::vector<char> m_is_constrained; // per edge, or empty
   double m_tolerance;
   double m_size = 0; // the largest coordinate
   Progress& m_progress;

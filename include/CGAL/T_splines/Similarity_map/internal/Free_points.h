@@ -14,7 +14,7 @@ namespace T_splines {
 namespace internal {
 
 /// Vertices whose place decides about isolines, and which the transitions do not determine: cones around which nothing
-/// turns, and corners of the border.
+/// turns, corners of the border, and nodes of arcs that are to lie on isolines.
 class Free_points {
   using Index = Triangulation_connectivity::Index;
 

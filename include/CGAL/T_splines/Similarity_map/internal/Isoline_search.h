@@ -58,12 +58,15 @@ public:
     bool is_on_border;
   };
 
+  /// \param is_wall per edge: they stop isolines, and isolines along them are not followed; empty for none
   /// \param noise of coordinates, relative to the largest one
   Isoline_search(const Triangulation_connectivity& mesh, const Uv_array& uv, const std::vector<char>& is_cut,
-                 const Transition_of& transition, const std::vector<Cone>& cones, const double noise)
+                 const std::vector<char>& is_wall, const Transition_of& transition, const std::vector<Cone>& cones,
+                 const double noise)
     : m_mesh(mesh),
       m_uv(uv),
       m_is_cut(is_cut),
+      m_is_wall(is_wall),
       m_transition(transition),
       m_cones(cones),
       m_noise(noise),
@@ -83,6 +86,8 @@ public:
     std::vector<Isoline_coincidence> result;
     for (std::size_t i = 0; i < m_cones.size(); ++i) {
       const Unrolled_cone cone(*this, m_cones[i]);
+      if (!m_is_wall.empty())
+        skip_rays_at_walls(static_cast<int>(i), cone);
       for (int j = m_cones[i].is_on_border ? 1 : 0; j < m_cones[i].quarter_turns; ++j) {
         Isoline_coincidence found;
         if (!progress.go_on_after(1 + static_cast<std::size_t>(longest)))
@@ -167,6 +172,19 @@ private:
       return (axis + m_quarter_turns) % m_quarter_turns;
     }
 
+    /// The rays along walls, ascending.
+    std::vector<int> wall_rays(const Isoline_search& search) const
+    {
+      std::vector<int> result;
+      for (const Corner& corner : m_corners)
+        if (search.m_is_wall[edge_of(corner.outgoing)] != 0) {
+          const int axis = static_cast<int>(std::round(corner.begin / quarter())) - m_first_axis;
+          result.push_back((axis + m_quarter_turns) % m_quarter_turns);
+        }
+      std::sort(result.begin(), result.end());
+      return result;
+    }
+
   private:
     struct Corner {
       Index outgoing;
@@ -178,6 +196,23 @@ private:
     int m_first_axis;
     std::vector<Corner> m_corners;
   };
+
+  // Of a cone, the rays along walls are not followed; of another vertex, only those between walls that are more than
+  // two quarter turns apart: there the tracer starts, too.
+  void skip_rays_at_walls(const int i, const Unrolled_cone& cone)
+  {
+    const int k = m_cones[i].quarter_turns;
+    std::vector<int> walls = cone.wall_rays(*this);
+    for (const int ray : walls)
+      m_is_done[i][ray] = 1;
+    if (walls.empty() || k != (m_cones[i].is_on_border ? 2 : 4))
+      return;
+    walls.push_back(walls.front() + k);
+    for (std::size_t w = 0; w + 1 < walls.size(); ++w)
+      if (walls[w + 1] - walls[w] <= 2)
+        for (int ray = walls[w]; ray < walls[w + 1]; ++ray)
+          m_is_done[i][ray % k] = 1;
+  }
 
   // Whether a line runs into the vertex at the tip of `corner`, ahead in its face.
   bool arrives(const Line& line, const Index corner, Isoline_coincidence& found)
@@ -220,7 +255,7 @@ private:
     }
     for (int n = 0; n < longest; ++n) {
       const Index entry = opposite(line.exit);
-      if (m_mesh.face(entry) == Triangulation_connectivity::null)
+      if (m_mesh.face(entry) == Triangulation_connectivity::null || (!m_is_wall.empty() && m_is_wall[edge_of(entry)]))
         return false;
       if (m_is_cut[edge_of(entry)])
         cross(line, found);
@@ -234,7 +269,7 @@ private:
 
   const Triangulation_connectivity& m_mesh;
   const Uv_array& m_uv;
-  const std::vector<char>& m_is_cut;
+  const std::vector<char>&m_is_cut, &m_is_wall;
   const Transition_of& m_transition;
   const std::vector<Cone>& m_cones;
   double m_noise;

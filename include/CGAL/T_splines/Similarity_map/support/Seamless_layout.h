@@ -72,6 +72,12 @@ public:
   int number_of_determined_corners() const { return static_cast<int>(m_determined.size()); }
   int number_of_branches() const { return static_cast<int>(m_transitions.size()); }
 
+  /// Whether an inner edge was to lie on an isoline, and does.
+  bool is_constrained(const Index edge) const { return !m_is_constrained.empty() && m_is_constrained[edge] != 0; }
+  bool has_constrained_edges() const { return !m_is_constrained.empty(); }
+  /// The same, per edge, or empty.
+  const std::vector<char>& constrained_edges() const { return m_is_constrained; }
+
   bool is_cut(const Index edge) const { return m_branch[edge] != none; }
   int branch(const Index edge) const { return m_branch[edge]; }
 
@@ -133,6 +139,7 @@ public:
     m_branch[edge_of(h)] = branch;
     m_is_along[edge_of(h)] = is_along_edge(h);
   }
+  void set_constrained_edges(std::vector<char> is_constrained) { m_is_constrained = std::move(is_constrained); }
   void set_quarter_turns(const Index vertex, const int k) { m_quarter_turns[vertex] = k; }
 
 private:
@@ -144,6 +151,7 @@ private:
   std::vector<char> m_is_along;                                 // per edge
   std::vector<Transition> m_transitions, m_inverse_transitions; // per branch
   std::vector<int> m_quarter_turns;                             // per vertex
+  std::vector<char> m_is_constrained;                           // per edge, or empty
 };
 
 } // namespace internal
