@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Seamless_map_checker.h"
-#include "chart_maps.h"
-#include "test_meshes.h"
+#include "Similarity_map/chart_maps.h"
+#include "Similarity_map/isoline_edges.h"
+#include "Similarity_map/test_meshes.h"
 
 #include <CGAL/T_splines/Similarity_map/make_exactly_seamless.h>
 
@@ -19,9 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,38 +34,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Status = T::Exact_map_status;
 using chart_maps::Chart_map;
-using Edges = std::set<std::pair<int, int>>; // ends, ascending
-
-/// The edges that lie on isolines. \param is_marked which of them: called with their ends and the axis across
-Edges isoline_edges(const Plain_map& map, const std::function<bool(int, int, int)>& is_marked)
-{
-  Edges result, seen;
-  for (std::size_t t = 0; t < map.triangles.size(); ++t)
-    for (int i = 0; i < 3; ++i) {
-      const int a = map.triangles[t][i], b = map.triangles[t][(i + 1) % 3];
-      if (!seen.emplace(std::min(a, b), std::max(a, b)).second)
-        continue;
-      for (int axis = 0; axis < 2; ++axis)
-        if (map.uv[t][i][axis] == map.uv[t][(i + 1) % 3][axis] && is_marked(a, b, axis))
-          result.emplace(std::min(a, b), std::max(a, b));
-    }
-  return result;
-}
-
-/// Part of the edges on isolines, at random; so that arcs begin, end, meet and cross in all ways.
-Edges random_edges(const Plain_map& map, const double share, CGAL::Random& random)
-{
-  return isoline_edges(map, [&](int, int, int) { return random.get_double() < share; });
-}
-
-/// Gives triangles charts of their own: the cut then runs everywhere.
-void scatter_charts(Chart_map& map, const int number, CGAL::Random& random)
-{
-  std::map<std::pair<int, int>, int> chart;
-  for (int& c : map.chart)
-    c = chart.emplace(std::make_pair(c, random.get_int(0, number)), static_cast<int>(chart.size())).first->second;
-  map.number_of_charts = static_cast<int>(chart.size());
-}
+using isoline_edges::Edges;
 
 /// A mesh with its uv and the exact map made of them.
 template <typename FT>
@@ -86,7 +54,7 @@ struct Made {
     });
     for (const auto e : mesh.edges()) {
       const int a = static_cast<int>(mesh.vertex(e, 0)), b = static_cast<int>(mesh.vertex(e, 1));
-      is_marked[e] = marked.count({std::min(a, b), std::max(a, b)}) > 0;
+      is_marked[e] = marked.count(isoline_edges::edge(a, b)) > 0;
     }
     report =
         T::make_exactly_seamless(mesh, boost::make_assoc_property_map(uv), map,
@@ -137,29 +105,6 @@ void check_isometric(const Plain_map& map, const Edges& marked, const double tol
 const auto no_hole = [](int, int) { return false; };
 const auto plane = [](const int i, const int j) { return std::array<double, 2>{{double(i), double(j)}}; };
 
-/// A torus of m x n squares.
-Chart_map flat_torus(const int m, const int n)
-{
-  Chart_map map = chart_maps::hopf_torus(2, m, n);
-  for (int i = 0; i < m; ++i)
-    for (int j = 0; j < n; ++j) {
-      const std::size_t t = 2 * (i * n + j);
-      map.uv[t] = {{plane(i, j), plane(i + 1, j), plane(i + 1, j + 1)}};
-      map.uv[t + 1] = {{plane(i, j), plane(i + 1, j + 1), plane(i, j + 1)}};
-    }
-  return map;
-}
-
-/// A map with scale factors, of whose isolines two are closed: the common axis of both halves of a ring.
-Chart_map half_ring(const double scale, const int m, const int n)
-{
-  const double pi = 4 * std::atan(1.);
-  return chart_maps::grid(m, n, true, no_hole, [=](const int i, const int j) {
-    const double r = std::pow(scale, double(i) / m), angle = pi * j / n;
-    return std::array<double, 2>{{0.3 + r * std::cos(angle), 0.7 + r * std::sin(angle)}};
-  });
-}
-
 } // namespace
 
 TEST_CASE("the edges of polycubes lie on isolines exactly, and so does what else is marked", "[constrained_edges]")
@@ -174,9 +119,9 @@ TEST_CASE("the edges of polycubes lie on isolines exactly, and so does what else
                         chart_maps::planes_as_charts(test_meshes::slab_with_holes(1, 3), 3),
                         chart_maps::planes_as_charts(
                             test_meshes::voxel_surface({{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}, 3), 3)}) {
-    const Edges marked = random_edges(map, share, random);
+    const Edges marked = isoline_edges::at_random(map, share, random);
     if (is_scattered)
-      scatter_charts(map, 3, random);
+      isoline_edges::scatter_charts(map, 3, random);
     map.transform_all([](const double x, const double y) { return std::array<double, 2>{{x / 7, y / 7}}; });
     chart_maps::change_frames(map, false, random);
     chart_maps::add_noise(map, noise, random);
@@ -194,38 +139,35 @@ TEST_CASE("arcs that close up, with and without nodes, on tori and cylinders", "
   Edges marked;
   SECTION("circles of one direction on a torus")
   {
-    map = flat_torus(7, 6);
-    marked = isoline_edges(map, [](const int a, int, const int axis) { return axis == 1 && a % 6 % 2 == 0; });
+    map = isoline_edges::flat_torus(7, 6);
+    marked = isoline_edges::of(map, [](const int a, int, const int axis) { return axis == 1 && a % 6 % 2 == 0; });
   }
   SECTION("circles that cross")
   {
-    map = flat_torus(7, 6);
-    marked = isoline_edges(map, [](const int a, int, const int axis) { return axis == 1 ? a % 6 == 2 : a / 6 == 3; });
+    map = isoline_edges::flat_torus(7, 6);
+    marked =
+        isoline_edges::of(map, [](const int a, int, const int axis) { return axis == 1 ? a % 6 == 2 : a / 6 == 3; });
   }
   SECTION("a helix on a torus whose sides are glued with a shift")
   {
-    map = flat_torus(7, 6);
-    for (int i = 0; i < 7; ++i) // the last row goes to vertices that lie one column further
-      for (const std::size_t t : {std::size_t(2 * (i * 6 + 5)), std::size_t(2 * (i * 6 + 5) + 1)})
-        for (int& v : map.triangles[t])
-          if (v % 6 == 0)
-            v = (v + 6) % 42;
-    marked = isoline_edges(map, [](int, int, const int axis) { return axis == 0; });
+    map = isoline_edges::twisted_torus(7, 6);
+    marked = isoline_edges::of(map, [](int, int, const int axis) { return axis == 0; });
   }
   SECTION("a cylinder: its middle, slits that begin on its border, and what joins its borders")
   {
     const bool has_middle = GENERATE(false, true), has_joins = GENERATE(false, true);
     map = chart_maps::grid(7, 4, true, no_hole, plane);
     const auto row = [&](const int v) { return static_cast<int>(map.points[v][2]); };
-    marked = isoline_edges(map, [&](const int a, const int b, const int axis) {
-      const bool is_slit = axis == 0 && a % 3 == 0 && std::min(row(a), row(b)) == 0;
-      return (has_middle && axis == 1 && row(a) == 2) || is_slit || (has_joins && axis == 0 && a % 3 == 1);
+    marked = isoline_edges::of(map, [&](const int a, const int b, const int axis) {
+      const int column = isoline_edges::column(map, a, 7);
+      const bool is_slit = axis == 0 && column % 3 == 0 && std::min(row(a), row(b)) == 0;
+      return (has_middle && axis == 1 && row(a) == 2) || is_slit || (has_joins && axis == 0 && column == 1);
     });
   }
   SECTION("a cylinder with all that lies on isolines, its border included")
   {
     map = chart_maps::grid(5, 3, true, no_hole, plane);
-    marked = isoline_edges(map, [](int, int, int) { return true; });
+    marked = isoline_edges::of(map, [](int, int, int) { return true; });
   }
   SECTION("a strip closed by a rotation and a translation")
   {
@@ -233,13 +175,13 @@ TEST_CASE("arcs that close up, with and without nodes, on tori and cylinders", "
     for (std::size_t t = 0; t < map.chart.size(); ++t)
       map.chart[t] = (t / 2) % 7 >= 4;
     map.number_of_charts = 2;
-    marked = isoline_edges(map, [](int, int, const int axis) { return axis == 1; });
+    marked = isoline_edges::of(map, [](int, int, const int axis) { return axis == 1; });
     map.transform(1, [](const double x, const double y) { return std::array<double, 2>{{0.1 - y, x + 0.3}}; });
   }
   SECTION("trousers: a cone around which nothing turns, on two closed arcs")
   {
     map = chart_maps::trousers(5);
-    marked = isoline_edges(map, [&](const int a, const int b, const int axis) {
+    marked = isoline_edges::of(map, [&](const int a, const int b, const int axis) {
       return axis == 1 && map.points[a][2] == 0 && map.points[b][2] == 0;
     });
   }
@@ -247,13 +189,13 @@ TEST_CASE("arcs that close up, with and without nodes, on tori and cylinders", "
   {
     map = chart_maps::grid(
         5, 5, false, [](const int i, const int j) { return i == 2 && j == 3; }, plane);
-    marked = isoline_edges(map, [&](const int a, int, const int axis) {
+    marked = isoline_edges::of(map, [&](const int a, int, const int axis) {
       const double x = map.points[a][0], y = map.points[a][1];
       return axis == 1 ? y == 3 : x == 3;
     });
   }
   if (is_scattered)
-    scatter_charts(map, 2, random);
+    isoline_edges::scatter_charts(map, 2, random);
   chart_maps::change_frames(map, false, random);
   chart_maps::add_noise(map, noise, random);
   check_isometric(map, marked, 1. / 64);
@@ -265,15 +207,15 @@ TEST_CASE("a closed arc with a scale factor comes to lie on the line that stays"
   const bool is_scattered = GENERATE(false, true);
   CAPTURE(scale, noise, is_scattered);
   CGAL::Random random(1);
-  Chart_map map = half_ring(scale, 8, 10);
+  Chart_map map = isoline_edges::half_ring(scale, 8, 10);
   Edges marked;
   for (const auto& t : map.triangles)
     for (int i = 0; i < 3; ++i)
       if (map.points[t[i]][2] == 5 && map.points[t[(i + 1) % 3]][2] == 5)
-        marked.emplace(std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3]));
+        marked.insert(isoline_edges::edge(t[i], t[(i + 1) % 3]));
   CHECK(marked.size() == 8);
   if (is_scattered) {
-    scatter_charts(map, 3, random);
+    isoline_edges::scatter_charts(map, 3, random);
     chart_maps::change_frames(map, true, random);
   }
   chart_maps::add_noise(map, noise, random);
@@ -312,7 +254,7 @@ TEST_CASE("marked edges in round-off", "[constrained_edges]")
 {
   CGAL::Random random(1);
   Chart_map map = chart_maps::planes_as_charts(test_meshes::slab_with_holes(1, 3), 3);
-  const Edges marked = random_edges(map, 0.5, random);
+  const Edges marked = isoline_edges::at_random(map, 0.5, random);
   chart_maps::add_noise(map, 1e-12, random);
   const Made<double> made(map, marked);
   CHECK(made.report.success());
@@ -329,11 +271,11 @@ TEST_CASE("marked edges off the axes are refused", "[constrained_edges]")
 {
   Chart_map map = chart_maps::planes_as_charts(test_meshes::cube(3), 3);
   const double angle = GENERATE(0., 1e-3);
-  Edges marked = isoline_edges(map, [](int, int, int) { return true; });
+  Edges marked = isoline_edges::of(map, [](int, int, int) { return true; });
   if (angle == 0) { // diagonals
     for (const auto& t : map.triangles)
       for (int i = 0; i < 3; ++i)
-        marked.emplace(std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3]));
+        marked.insert(isoline_edges::edge(t[i], t[(i + 1) % 3]));
   }
   else
     map.transform_all([angle](const double x, const double y) {

@@ -15,8 +15,10 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -36,6 +38,7 @@ struct Traced_map {
 
   TriangleMesh mesh;
   std::map<typename Surface::halfedge_descriptor, Point_2> uv;
+  std::map<typename Surface::edge_descriptor, bool> is_marked; ///< which edges are to lie on isolines
   CGAL::T_splines::Seamless_map<TriangleMesh, Exact> map;
   CGAL::T_splines::Exact_map_report<TriangleMesh> map_report;
   CGAL::T_splines::Motorcycle_graph_report report;
@@ -48,16 +51,24 @@ struct Traced_map {
   std::map<typename Traits::vertex_descriptor, typename Surface::vertex_descriptor> origins;
   std::map<typename Traits::vertex_descriptor, Point_3> points;
   std::map<typename Traits::edge_descriptor, std::vector<Point_3>> polylines;
+  std::map<typename Traits::edge_descriptor, bool> constrained;
 
   using View = CGAL::T_splines::T_mesh_view<const Graph, Map<typename Traits::halfedge_descriptor, NT>,
-                                            Map<typename Traits::halfedge_descriptor, bool>>;
+                                            Map<typename Traits::halfedge_descriptor, bool>,
+                                            Map<typename Traits::edge_descriptor, bool>>;
 
   /// The T-mesh.
-  View view() const { return {graph, map_of(knots), map_of(corners)}; }
-  auto view() { return CGAL::T_splines::T_mesh_view(graph, map_of(knots), map_of(corners)); }
+  View view() const { return {graph, map_of(knots), map_of(corners), map_of(constrained)}; }
+  auto view() { return CGAL::T_splines::T_mesh_view(graph, map_of(knots), map_of(corners), map_of(constrained)); }
 
-  explicit Traced_map(const Plain_map& plain) : mesh(test_meshes::face_graph<TriangleMesh>(plain)), map(mesh)
+  /// \param marked edges that are to lie on isolines, by their ends, ascending
+  explicit Traced_map(const Plain_map& plain, const std::set<std::pair<int, int>>& marked = {})
+    : mesh(test_meshes::face_graph<TriangleMesh>(plain)),
+      map(mesh)
   {
+    const auto number = vertex_numbers(mesh);
+    for (const auto e : CGAL::make_range(edges(mesh)))
+      is_marked[e] = marked.count(std::minmax(number.at(source(e, mesh)), number.at(target(e, mesh)))) != 0;
     hand_made_maps::put_corners(plain, mesh, boost::make_assoc_property_map(uv));
     run();
   }
@@ -70,6 +81,8 @@ struct Traced_map {
     const auto from = ordered_halfedges(given), to = ordered_halfedges(mesh);
     for (std::size_t i = 0; i < from.size(); ++i)
       uv.emplace(to[i], get(given_uv, from[i]));
+    for (const auto e : CGAL::make_range(edges(mesh)))
+      is_marked[e] = false;
     run();
   }
 
@@ -110,7 +123,8 @@ private:
   void run()
   {
     using namespace CGAL::T_splines::parameters;
-    map_report = make_exactly_seamless(mesh, map_of(uv), map);
+    map_report =
+        make_exactly_seamless(mesh, map_of(uv), map, CGAL::parameters::edge_is_constrained_map(map_of(is_marked)));
     if (map_report.success())
       report = trace_motorcycle_graph(
           map, view(),

@@ -4,6 +4,8 @@
 #ifndef CGAL_T_SPLINES_T_MESH_T_MESH_VIEW_H
 #define CGAL_T_SPLINES_T_MESH_T_MESH_VIEW_H
 
+#include <CGAL/property_map.h>
+
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
@@ -20,6 +22,20 @@ constexpr bool is_t_mesh = false;
 template <typename T>
 constexpr bool is_t_mesh<T, std::void_t<typename T::Graph, typename T::Knot_map, typename T::Corner_map>> = true;
 
+// The map of the constrained edges of a model of `TMesh`; one that is always false if it has none.
+template <typename T, typename = void>
+struct Constrained_edge_map {
+  using Edge = typename boost::graph_traits<typename T::Graph>::edge_descriptor;
+  using type = CGAL::Static_boolean_property_map<Edge, false>;
+  static type of(const T&) { return {}; }
+};
+
+template <typename T>
+struct Constrained_edge_map<T, std::void_t<typename T::Constrained_edge_map>> {
+  using type = typename T::Constrained_edge_map;
+  static type of(const T& t_mesh) { return t_mesh.constrained_edges(); }
+};
+
 // What `graph()` returns of T, T& or const T&.
 template <typename T>
 using Graph_reference = decltype(std::declval<std::remove_reference_t<T>&>().graph());
@@ -27,8 +43,9 @@ using Graph_reference = decltype(std::declval<std::remove_reference_t<T>&>().gra
 } // namespace internal
 
 /// \ingroup PkgTSplinesTMesh
-/// A T-mesh with halfedge knots whose parts lie elsewhere: a graph, the property map of its knots and that of its
-/// corners. A model of `TMesh` that refers to all three; a copy refers to the same ones.
+/// A T-mesh with halfedge knots whose parts lie elsewhere: a graph, the property map of its knots, that of its corners
+/// and, if there is one, that of its constrained edges. A model of `TMesh` that refers to all of them; a copy refers to
+/// the same ones.
 ///
 /// \cgalModels{TMesh}
 ///
@@ -37,22 +54,28 @@ using Graph_reference = decltype(std::declval<std::remove_reference_t<T>&>().gra
 ///         read at border halfedges. To change the T-mesh it must be writable, also at halfedges that the graph has just
 ///         added
 /// \tparam CornerMap the same with `bool`: whether the face of the halfedge turns, by a right angle, at its target
-template <typename Graph_, typename KnotMap, typename CornerMap>
+/// \tparam ConstrainedEdgeMap a map, edge -> whether it is constrained; readable, and writable as the others are
+template <typename Graph_, typename KnotMap, typename CornerMap,
+          typename ConstrainedEdgeMap = CGAL::Static_boolean_property_map<
+              typename boost::graph_traits<std::remove_const_t<Graph_>>::edge_descriptor, false>>
 class T_mesh_view {
 public:
   using Graph = std::remove_const_t<Graph_>;                       ///< the T-mesh's graph
   using Knot_map = KnotMap;                                        ///< halfedge -> knot interval
   using Corner_map = CornerMap;                                    ///< halfedge -> whether the face turns at its target
+  using Constrained_edge_map = ConstrainedEdgeMap;                 ///< edge -> whether it is constrained
   using FT = typename boost::property_traits<KnotMap>::value_type; ///< of the knots
   using vertex_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;     ///< a vertex of the graph
   using halfedge_descriptor = typename boost::graph_traits<Graph>::halfedge_descriptor; ///< a halfedge of the graph
   using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;         ///< a face of the graph
 
   /// refers to a graph and its maps.
-  T_mesh_view(Graph_& graph, const KnotMap knots, const CornerMap corners)
+  T_mesh_view(Graph_& graph, const KnotMap knots, const CornerMap corners,
+              const ConstrainedEdgeMap constrained_edges = ConstrainedEdgeMap())
     : m_graph(&graph),
       m_knots(knots),
-      m_corners(corners)
+      m_corners(corners),
+      m_constrained_edges(constrained_edges)
   {
   }
 
@@ -61,7 +84,9 @@ public:
             typename = std::enable_if_t<internal::is_t_mesh<std::decay_t<TMesh>> &&
                                         !std::is_same<std::decay_t<TMesh>, T_mesh_view>::value &&
                                         std::is_convertible<internal::Graph_reference<TMesh>, Graph_&>::value>>
-  T_mesh_view(TMesh&& t_mesh) : T_mesh_view(t_mesh.graph(), t_mesh.knots(), t_mesh.corners())
+  T_mesh_view(TMesh&& t_mesh)
+    : T_mesh_view(t_mesh.graph(), t_mesh.knots(), t_mesh.corners(),
+                  internal::Constrained_edge_map<std::decay_t<TMesh>>::of(t_mesh))
   {
   }
 
@@ -71,6 +96,8 @@ public:
   const KnotMap& knots() const { return m_knots; }
   /// returns where the faces have their corners.
   const CornerMap& corners() const { return m_corners; }
+  /// returns which edges are constrained.
+  const ConstrainedEdgeMap& constrained_edges() const { return m_constrained_edges; }
 
   /// returns the knot interval of `h`.
   decltype(auto) knot(const halfedge_descriptor h) const { return get(m_knots, h); }
@@ -80,6 +107,26 @@ public:
   void set_knot(const halfedge_descriptor h, const FT& knot) const { put(m_knots, h, knot); }
   /// sets whether the face of `h` turns at the target of `h`.
   void set_corner(const halfedge_descriptor h, const bool is_corner) const { put(m_corners, h, is_corner); }
+
+  /// whether the T-mesh has a map of constrained edges.
+  static constexpr bool has_constrained_edges = !std::is_same<
+      ConstrainedEdgeMap,
+      CGAL::Static_boolean_property_map<typename boost::graph_traits<Graph>::edge_descriptor, false>>::value;
+
+  /// returns whether the edge of `h` is constrained.
+  bool is_constrained(const halfedge_descriptor h) const
+  {
+    if constexpr (has_constrained_edges)
+      return get(m_constrained_edges, edge(h, *m_graph));
+    else
+      return false;
+  }
+  /// sets whether the edge of `h` is constrained, if there is a map of such edges.
+  void set_constrained(const halfedge_descriptor h, const bool is_constrained) const
+  {
+    if constexpr (has_constrained_edges)
+      put(m_constrained_edges, edge(h, *m_graph), is_constrained);
+  }
 
 private:
   static_assert(std::is_same<typename boost::property_traits<KnotMap>::key_type, halfedge_descriptor>::value &&
@@ -92,6 +139,7 @@ private:
   Graph_* m_graph;
   KnotMap m_knots;
   CornerMap m_corners;
+  ConstrainedEdgeMap m_constrained_edges;
 };
 
 /// \ingroup PkgTSplinesTMesh
@@ -103,13 +151,15 @@ using T_mesh_graph = typename std::decay_t<TMesh>::Graph;
 /// The view of a model of `TMesh`, or of a reference to one, by which its graph can be changed if it is not `const`.
 template <typename TMesh>
 using T_mesh_view_of = T_mesh_view<std::remove_reference_t<internal::Graph_reference<TMesh>>,
-                                   typename std::decay_t<TMesh>::Knot_map, typename std::decay_t<TMesh>::Corner_map>;
+                                   typename std::decay_t<TMesh>::Knot_map, typename std::decay_t<TMesh>::Corner_map,
+                                   typename internal::Constrained_edge_map<std::decay_t<TMesh>>::type>;
 
 /// \ingroup PkgTSplinesTMesh
 /// The view of a model of `TMesh` by which its graph cannot be changed.
 template <typename TMesh>
 using Const_T_mesh_view_of = T_mesh_view<const T_mesh_graph<TMesh>, typename std::decay_t<TMesh>::Knot_map,
-                                         typename std::decay_t<TMesh>::Corner_map>;
+                                         typename std::decay_t<TMesh>::Corner_map,
+                                         typename internal::Constrained_edge_map<std::decay_t<TMesh>>::type>;
 
 } // namespace T_splines
 } // namespace CGAL

@@ -106,7 +106,8 @@ void aspect_statistics(const Graph& graph, const Regularization& regularization,
 /// after which the worst of the faces concerned is best, if it is better than before by at least 5 percent. So it
 /// ends. Of two removals, one that leaves a face more is taken only if its worst aspect ratio is better by a factor of
 /// 1.5; and where no face is worse than 1:3, no face is added. Edges at extraordinary vertices are removed only in
-/// part, and no such vertex moves.
+/// part, and no such vertex moves. Constrained edges are never removed, and vertices where they end or turn are treated
+/// as extraordinary ones.
 ///
 /// Afterwards, where two lines end at opposite sides of a third one, and the gap between them is less than a sixteenth
 /// of a face beside it, one of them is shortened, if no face becomes worse than the worst one, or than 1:5: aspect

@@ -68,6 +68,12 @@ void write_motorcycle_graph_details(const Mesh_indexing<TriangleMesh>& indexing,
 /// way that they have made on the surface, ties by their numbers, and each one ends where it meets a cone, a border, or
 /// the trace of a motorcycle that was there before, its own included. A surface with neither cones nor border gets a seed,
 /// a regular vertex from which four motorcycles leave; so does an isoline on which a trace would spiral for ever.
+///
+/// Edges of the map that are constrained are walls: traces that are there before all others. They become constrained
+/// edges of the T-mesh, if it has a map of these. Motorcycles also leave the vertices at which walls end or turn, between
+/// walls that are more than two quarter turns apart; and a wall that closes up gets a seed on each side on which it would
+/// have no vertex.
+///
 /// With an exact map and exact traits, every decision is exact, the faces are rectangles, and the knot intervals are
 /// exactly admissible. The same input gives the same output, bit by bit.
 ///

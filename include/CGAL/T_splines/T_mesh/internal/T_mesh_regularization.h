@@ -221,7 +221,7 @@ private:
       halfedge_descriptor h = m_editor.coordinates().first_of_side(f, side);
       while (true) {
         const face_descriptor g = face(opposite(h, m_graph), m_graph);
-        if (g != Traits::null_face() && g != f) {
+        if (g != Traits::null_face() && g != f && !m_t_mesh.is_constrained(h)) {
           const auto overlap = m_editor.overlap(h);
           is_found = find_removal(overlap, sizes(overlap), purpose, best) || is_found;
           h = overlap.last;

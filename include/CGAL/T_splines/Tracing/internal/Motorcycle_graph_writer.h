@@ -58,6 +58,8 @@ public:
   void put_knots(const TMesh& t_mesh) const
   {
     using Knot = typename TMesh::FT;
+    for (int e = 0; e < m_cells.number_of_edges(); ++e)
+      t_mesh.set_constrained(m_writer.halfedge(halfedge_of_edge(e)), is_constrained(halfedge_of_edge(e)));
     for (int h = 0; h < m_cells.number_of_halfedges(); ++h)
       if (!m_cells.is_border(h)) {
         t_mesh.set_knot(m_writer.halfedge(h), converted_number<Knot>(m_cells.halfedge(h).knot));
@@ -148,6 +150,15 @@ public:
   }
 
 private:
+  // All of an edge lies on constrained edges of the mesh, or nothing.
+  bool is_constrained(const int h) const
+  {
+    const typename Arcs::Arc& arc = m_graph.arcs().arcs()[edge_of(m_cells.halfedge(h).first_half_arc)];
+    const Traces& traces = m_graph.traces();
+    const typename Traces::Chord& chord = traces.chords[traces.traces[arc.trace].chords[arc.first_chord]];
+    return chord.is_along && m_graph.layout().is_constrained(edge_of(chord.halfedge));
+  }
+
   template <typename To>
   static To to(const Point& p)
   {

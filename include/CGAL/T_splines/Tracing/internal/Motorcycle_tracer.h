@@ -65,20 +65,15 @@ public:
   {
     if (!progress.go_on())
       return Motorcycle_graph_status::INTERRUPTED;
-    start_on_borders();
+    start_on_walls();
     start_at_cones();
     start_on_surfaces_without_cones();
     run(progress);
-    for (int v = 0; v < m_mesh.number_of_vertices() && m_status == Motorcycle_graph_status::SUCCESS; ++v)
-      if (m_stars.is_on_border(v) && border_loop_is_free(v)) {
-        ++m_number_of_seeds;
-        start_at_vertex(v, 1, 1);
-        run(progress);
-      }
+    start_on_free_sides(progress);
     return m_status;
   }
 
-  std::size_t number_of_motorcycles() const { return m_traces.traces.size() - m_number_of_border_traces; }
+  std::size_t number_of_motorcycles() const { return m_traces.traces.size() - m_number_of_walls; }
   std::size_t number_of_seeds() const { return m_number_of_seeds; }
   std::size_t number_of_crossed_faces() const { return m_traces.chords.size(); }
 
@@ -89,13 +84,17 @@ public:
 private:
   // --- starts
 
-  // Each border edge is a trace that is there from the beginning.
-  void start_on_borders()
+  // Each border edge and each edge that is to be one of the T-mesh is a trace that is there from the beginning.
+  void start_on_walls()
   {
     for (int h = 0; h < m_mesh.number_of_halfedges(); ++h)
       if (m_mesh.face(h) != none && m_mesh.face(opposite(h)) == none)
         m_motorcycles.start_on_border(h);
-    m_number_of_border_traces = m_traces.traces.size();
+    if (m_layout.has_constrained_edges())
+      for (int e = 0; e < m_mesh.number_of_edges(); ++e)
+        if (m_layout.is_constrained(e) && !m_motorcycles.start_on_wall(halfedge_of_edge(e)))
+          m_status = Motorcycle_graph_status::TRACE_LOST;
+    m_number_of_walls = m_traces.traces.size();
   }
 
   void start_at_cones()
@@ -108,10 +107,25 @@ private:
       }
       else if (k != 4)
         start_at_vertex(v, 0, k - 1);
+      else if (m_stars.has_star(v))
+        start_between_walls(v);
     }
   }
 
-  // A component without border and cones gets a seed, at its first vertex.
+  // Where walls end or turn at a regular vertex, faces would have an angle of more than two quarter turns.
+  void start_between_walls(const int v)
+  {
+    const int star = m_stars.existing_star(v), n = m_stars.star(star).number_of_rays;
+    std::vector<int> slots;
+    for (int slot = 0; slot < n; ++slot)
+      if (m_motorcycles.is_free(star, slot) &&
+          (m_motorcycles.is_free(star, (slot + 1) % n) || m_motorcycles.is_free(star, (slot + n - 1) % n)))
+        slots.push_back(slot);
+    for (const int slot : slots)
+      enqueue(m_motorcycles.start_at_vertex(star, slot));
+  }
+
+  // A component without border, cones and walls gets a seed, at its first vertex.
   void start_on_surfaces_without_cones()
   {
     std::vector<char> is_reached(m_mesh.number_of_vertices(), 0);
@@ -135,7 +149,7 @@ private:
       }
     };
     for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
-      if (m_layout.quarter_turns(v) != 4 || m_stars.is_on_border(v))
+      if (m_layout.quarter_turns(v) != 4 || m_stars.is_on_border(v) || m_stars.has_star(v))
         reach(v);
     reach_component();
     for (int v = 0; v < m_mesh.number_of_vertices(); ++v)
@@ -155,21 +169,53 @@ private:
       return;
     }
     for (int slot = first_slot; slot <= last_slot; ++slot)
-      enqueue(m_motorcycles.start_at_vertex(star, slot));
+      if (m_motorcycles.is_free(star, slot)) // it is no wall
+        enqueue(m_motorcycles.start_at_vertex(star, slot));
   }
 
-  // Whether no corner and no trace interrupts the border at v, a straight loop: the face inside would be no disk.
-  bool border_loop_is_free(const int v)
+  // A wall that closes up gets a seed on each side on which no corner and no trace interrupts it: the face there would
+  // be no disk.
+  void start_on_free_sides(Progress& progress)
   {
-    const int first = m_stars.outgoing(v);
-    int h = first;
+    std::vector<char> is_checked; // per halfedge
+    for (int v = 0; v < m_mesh.number_of_vertices() && m_status == Motorcycle_graph_status::SUCCESS; ++v) {
+      if (!m_stars.has_star(v))
+        continue;
+      const int star = m_stars.existing_star(v);
+      for (int slot = 0; slot < m_stars.star(star).number_of_rays; ++slot)
+        if (is_wall(m_stars.ray(star, slot)) && side_is_free(m_stars.ray(star, slot).halfedge, is_checked)) {
+          ++m_number_of_seeds;
+          enqueue(m_motorcycles.start_at_vertex(star, slot + 1 == m_stars.star(star).number_of_rays ? 0 : slot + 1));
+          run(progress);
+        }
+    }
+  }
+
+  // Whether a ray runs along a wall with the surface on its left.
+  bool is_wall(const Vertex_ray& ray) const
+  {
+    return ray.is_along && m_mesh.face(ray.halfedge) != none &&
+           (m_mesh.face(opposite(ray.halfedge)) == none || m_layout.is_constrained(edge_of(ray.halfedge)));
+  }
+
+  // Whether the wall along h closes up, on the left of h straight and without a trace that comes or leaves.
+  bool side_is_free(const int h, std::vector<char>& is_checked)
+  {
+    is_checked.resize(m_mesh.number_of_halfedges(), 0);
+    int g = h;
     do {
-      const int star = m_stars.star_of_vertex(m_mesh.source(h));
-      if (m_stars.star(star).number_of_rays != 3 || !m_motorcycles.is_free(star, 1) ||
-          m_traces.chords[m_traces.first_chord_along_edge[edge_of(h)]].first_node != none)
+      if (is_checked[g] != 0 || m_motorcycles.is_met(g))
         return false;
-      h = m_stars.outgoing(m_mesh.target(h));
-    } while (h != first);
+      is_checked[g] = 1;
+      const int star = m_stars.star_of_vertex(m_mesh.target(g));
+      const int n = m_stars.star(star).number_of_rays, slot = m_stars.slot_along(star, opposite(g));
+      if (slot == none || (m_stars.star(star).is_on_border && slot < 2) || n < 3)
+        return false;
+      const int straight = (slot + n - 2) % n;
+      if (!m_motorcycles.is_free(star, (slot + n - 1) % n) || !is_wall(m_stars.ray(star, straight)))
+        return false;
+      g = m_stars.ray(star, straight).halfedge;
+    } while (g != h);
     return true;
   }
 
@@ -229,7 +275,7 @@ private:
   using Waiting = std::pair<double, int>;
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<Waiting>> m_queue; // by distance
   std::vector<int> m_tries; // per trace: how often a seed was asked for
-  std::size_t m_number_of_border_traces = 0, m_number_of_seeds = 0;
+  std::size_t m_number_of_walls = 0, m_number_of_seeds = 0;
   Motorcycle_graph_status m_status = Motorcycle_graph_status::SUCCESS;
 };
 

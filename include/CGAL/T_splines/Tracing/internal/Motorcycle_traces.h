@@ -42,6 +42,8 @@ public:
     int first_node = none;     ///< of the crossings inside it
     int crossing = none;       ///< of the edge through which it leaves its face
     double exit_parameter = 0; ///< place of that crossing on the halfedge, from 0 at its source to 1
+    std::array<bool, 2> is_met = {
+        {false, false}}; ///< along an edge: whether a trace ends inside it, from the left, right
   };
 
   /// A trace crosses the interior of an edge. Side 0 is the face of the even halfedge.

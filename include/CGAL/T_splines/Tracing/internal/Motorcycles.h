@@ -99,14 +99,26 @@ public:
   void start_on_border(const int h)
   {
     const int star = m_stars.star_of_vertex(m_mesh.source(h)), end = m_stars.star_of_vertex(m_mesh.target(h));
-    const int last = m_stars.star(end).number_of_rays - 1;
-    const int trace = add(Motorcycle(), Traces::star_node(star), 0);
-    const int direction = m_stars.ray(star, 0).direction;
-    const int chord =
-        m_traces.add_chord(trace, m_mesh.face(h), direction, m_layout.coordinate(h, axis_across(direction)), true, h);
-    m_traces.add_arrival(chord, Traces::star_node(end), last);
-    occupation(star, 0) = {Ray_state::TAKEN, trace};
-    occupation(end, last) = {Ray_state::TAKEN, trace};
+    add_wall(h, star, 0, end, m_stars.star(end).number_of_rays - 1);
+  }
+
+  /// Makes an inner edge on an isoline a trace, whose motorcycle has ended.
+  /// \return whether the edge lies on an isoline, as predicates that are not exact may deny
+  bool start_on_wall(const int h)
+  {
+    const int star = m_stars.star_of_vertex(m_mesh.source(h)), end = m_stars.star_of_vertex(m_mesh.target(h));
+    const int slot = m_stars.slot_along(star, h), end_slot = m_stars.slot_along(end, opposite(h));
+    if (slot == none || end_slot == none || !is_free(star, slot) || !is_free(end, end_slot))
+      return false;
+    add_wall(h, star, slot, end, end_slot);
+    return true;
+  }
+
+  /// Whether a motorcycle has ended inside the edge of h, which is a trace, on the left of h.
+  bool is_met(const int h) const
+  {
+    const Chord& chord = m_traces.chords[m_traces.first_chord_along_edge[edge_of(h)]];
+    return chord.is_met[chord.halfedge == h ? 0 : 1];
   }
 
   /// Puts two motorcycles on the last chord of a trace, which leaves its face, to go to both sides; none if the chord is
@@ -184,6 +196,17 @@ private:
   {
     m_motorcycles.push_back(motorcycle);
     return m_traces.add_trace(node, departure);
+  }
+
+  void add_wall(const int h, const int star, const int slot, const int end, const int end_slot)
+  {
+    const int trace = add(Motorcycle(), Traces::star_node(star), slot);
+    const int direction = m_stars.ray(star, slot).direction;
+    const int chord =
+        m_traces.add_chord(trace, m_mesh.face(h), direction, m_layout.coordinate(h, axis_across(direction)), true, h);
+    m_traces.add_arrival(chord, Traces::star_node(end), end_slot);
+    occupation(star, slot) = {Ray_state::TAKEN, trace};
+    occupation(end, end_slot) = {Ray_state::TAKEN, trace};
   }
 
   Ray_occupation& occupation(const int star, const int slot)
@@ -281,6 +304,7 @@ private:
           m_traces.chords[b].halfedge == h ? std::make_pair(line, direction) : across_edge(h, line, direction);
       if (covers(m_traces.chords[b], line_there)) {
         m_traces.chords[c].stop = m_traces.add_coordinate(m_layout.coordinate(h, axis_along(direction)));
+        m_traces.chords[b].is_met[m_traces.chords[b].halfedge == h ? 0 : 1] = true;
         return end_at(c, m_traces.node_on_chord(b, line_there, m_traits), turned(direction_there, 2));
       }
     }
