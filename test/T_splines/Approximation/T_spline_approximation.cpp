@@ -5,6 +5,8 @@
 
 #include "Approximation/box.h"
 #include "Counting_visitor.h"
+#include "Similarity_map/chart_maps.h"
+#include "Similarity_map/test_meshes.h"
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -130,6 +132,47 @@ TEST_CASE("a field, its signature, cones and a map from elsewhere take the place
     REQUIRE(of_map.fit(tolerance, spline));
     CHECK(of_map.report().within_tolerance());
   }
+}
+
+TEST_CASE("constrained edges go the whole way, from the map to the surface")
+{
+  const int n = 4;
+  const chart_maps::Chart_map cube = chart_maps::planes_as_charts(test_meshes::cube(n), n);
+  Mesh mesh = test_meshes::face_graph<Mesh>(cube);
+  const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  const auto is_sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
+  for_each_corner(mesh, [&](const std::size_t t, std::size_t, const Mesh::Halfedge_index h) {
+    for (int i = 0; i < 3; ++i)
+      if (cube.triangles[t][i] == static_cast<int>(mesh.target(h)))
+        uv[h] = Kernel::Point_2(cube.uv[t][i][0], cube.uv[t][i][1]);
+    const auto beside = mesh.face(mesh.opposite(h));
+    is_sharp[mesh.edge(h)] = cube.chart[t] != cube.chart[static_cast<std::size_t>(beside)];
+  });
+  const auto length_of = [](const auto& t_mesh) { // of constrained edges, on both sides
+    double result = 0;
+    for (const auto h : t_mesh.graph().halfedges())
+      result += get(t_mesh.constrained_edges(), t_mesh.graph().edge(h)) ? CGAL::to_double(t_mesh.knots()[h]) : 0;
+    return result;
+  };
+  Approximation approximation(mesh);
+  REQUIRE(approximation.use_map(uv, CGAL::parameters::edge_is_constrained_map(is_sharp)));
+  for (const bool is_again : {false, true}) {
+    if (is_again) // the mapped mesh remembers them
+      REQUIRE(approximation.make_map_exact());
+    const auto& mapped = approximation.mapped_mesh();
+    for (const auto e : mapped.mesh().edges())
+      CHECK(mapped.map().is_constrained(e) == is_sharp[e]);
+    REQUIRE(approximation.compute_T_mesh());
+    CHECK(length_of(approximation.t_mesh().t_mesh()) == 24 * n);
+    T::T_spline<> spline;
+    REQUIRE(approximation.fit(tolerance, spline));
+    CHECK(length_of(spline) == Approx(24 * n));
+    CHECK(spline.graph().number_of_faces() > 6);
+  }
+  const auto none = CGAL::Static_boolean_property_map<Mesh::Edge_index, false>();
+  REQUIRE(approximation.make_map_exact(CGAL::parameters::edge_is_constrained_map(none)));
+  REQUIRE(approximation.compute_T_mesh());
+  CHECK(length_of(approximation.t_mesh().t_mesh()) == 0);
 }
 
 TEST_CASE("what is replaced makes later stages forget their results")

@@ -48,6 +48,8 @@ public:
   using Transition_map = Mesh::Property_map<Mesh::Halfedge_index, Similarity_2<double>>;
   /// Edge -> whether it is on the cut.
   using Cut_map = Mesh::Property_map<Mesh::Edge_index, bool>;
+  /// Edge -> whether it is to lie on an isoline.
+  using Constrained_edge_map = Mesh::Property_map<Mesh::Edge_index, bool>;
   /// Vertex -> location.
   using Location_map = Mesh::Property_map<Mesh::Vertex_index, Location>;
 
@@ -65,6 +67,9 @@ public:
   const Transition_map& transitions() const { return m_parts->transitions; }
   /// Edge -> whether the charts on both sides differ.
   const Cut_map& cut() const { return m_parts->cut; }
+  /// Edge -> whether it is to lie on an isoline of the exact map and to become a part of edges of the T-mesh, as sharp
+  /// features are; none, unless somebody says so.
+  const Constrained_edge_map& constrained_edges() const { return m_parts->constrained_edges; }
   /// Vertex -> its location on the given mesh.
   const Location_map& locations() const { return m_parts->locations; }
 
@@ -112,6 +117,8 @@ private:
     Transition_map transitions =
         mesh.add_property_map<Mesh::Halfedge_index, Similarity_2<double>>("h:transition").first;
     Cut_map cut = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_cut", false).first;
+    Constrained_edge_map constrained_edges =
+        mesh.add_property_map<Mesh::Edge_index, bool>("e:is_constrained", false).first;
     Location_map locations = mesh.add_property_map<Mesh::Vertex_index, Location>("v:location").first;
     std::optional<Map> map;
   };

@@ -244,31 +244,33 @@ public:
   /// takes a map of the mesh itself, up to round-off, and makes it exact: `make_exactly_seamless()`. The mesh may have a
   /// border.
   /// \param uv halfedge of the mesh -> `Point_2`: the coordinates of its target in the chart of its face
-  /// \param np named parameters of `make_exactly_seamless()`
+  /// \param np named parameters of `make_exactly_seamless()`; `edge_is_constrained_map` is one of the edges of the mesh
   template <typename HalfedgeUVMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   bool use_map(const HalfedgeUVMap uv, const NamedParameters& np = CGAL::parameters::default_values())
   {
+    using CGAL::parameters::get_parameter;
     forget_map();
     m_mapped.emplace();
-    copy_mesh(uv);
-    if (!make_map_exact(np))
+    copy_mesh(uv, get_parameter(np, CGAL::internal_np::edge_is_constrained));
+    if (!make_present_map_exact(np))
       return false;
     take_transitions();
     return true;
   }
 
-  /// makes the map exactly seamless: `make_exactly_seamless()`.
+  /// makes the map exactly seamless: `make_exactly_seamless()`. Which edges of the mapped mesh are to lie on isolines,
+  /// `edge_is_constrained_map` says, or without it `Mapped_mesh::constrained_edges()`.
   template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
   bool make_map_exact(const NamedParameters& np = CGAL::parameters::default_values())
   {
+    using CGAL::parameters::get_parameter;
     if (!m_mapped)
       return lacks("a map");
-    forget_T_mesh();
-    m_report.exact_map = make_exactly_seamless(m_mapped->mesh(), m_mapped->uv(), m_mapped->reset_map(), np);
-    if (!m_report.exact_map.success())
-      m_mapped->remove_map();
-    return ended(m_report.exact_map, Status::EXACT_MAP_FAILED,
-                 [&] { return describe(m_report.exact_map, m_mapped->mesh()); });
+    const auto is_constrained = get_parameter(np, CGAL::internal_np::edge_is_constrained);
+    if constexpr (!internal::is_missing<decltype(is_constrained)>)
+      for (const auto e : m_mapped->mesh().edges())
+        put(m_mapped->constrained_edges(), e, get(is_constrained, e));
+    return make_present_map_exact(np);
   }
 
   /// runs the stages up to the exact map that have no result yet, with their defaults.
@@ -462,9 +464,21 @@ private:
     return np.vertex_point_map(Points(m_points));
   }
 
+  template <typename NamedParameters>
+  bool make_present_map_exact(const NamedParameters& np)
+  {
+    forget_T_mesh();
+    m_report.exact_map = make_exactly_seamless(m_mapped->mesh(), m_mapped->uv(), m_mapped->reset_map(),
+                                               np.edge_is_constrained_map(m_mapped->constrained_edges()));
+    if (!m_report.exact_map.success())
+      m_mapped->remove_map();
+    return ended(m_report.exact_map, Status::EXACT_MAP_FAILED,
+                 [&] { return describe(m_report.exact_map, m_mapped->mesh()); });
+  }
+
   // The mesh as it is becomes the mapped one.
-  template <typename HalfedgeUVMap>
-  void copy_mesh(const HalfedgeUVMap uv)
+  template <typename HalfedgeUVMap, typename EdgeIsConstrainedMap>
+  void copy_mesh(const HalfedgeUVMap uv, const EdgeIsConstrainedMap& is_constrained)
   {
     using Source = boost::graph_traits<TriangleMesh>;
     using Target = boost::graph_traits<typename Mapped::Mesh>;
@@ -472,6 +486,9 @@ private:
     CGAL::copy_face_graph(m_mesh, m_mapped->mesh(),
                           CGAL::parameters::vertex_point_map(Points(m_points))
                               .halfedge_to_halfedge_output_iterator(std::back_inserter(halfedges)));
+    if constexpr (!internal::is_missing<EdgeIsConstrainedMap>)
+      for (const auto& [from, to] : halfedges)
+        put(m_mapped->constrained_edges(), m_mapped->mesh().edge(to), get(is_constrained, edge(from, m_mesh)));
     for (const auto& [from, to] : halfedges)
       if (!is_border(from, m_mesh)) {
         const auto& p = get(uv, from);
