@@ -250,6 +250,23 @@ TEST_CASE("closed arcs through the same fixed point, along the cut and across it
   CHECK_FALSE(made.report.is_isometric);
 }
 
+TEST_CASE("where arcs close up through charts of many sizes, their scale factors multiply to 1", "[constrained_edges]")
+{
+  const int seed = GENERATE(1, 2, 3);
+  const double share = GENERATE(0.1, 0.5, 1.);
+  CAPTURE(seed, share);
+  CGAL::Random random(seed);
+  for (Chart_map map : {chart_maps::planes_as_charts(test_meshes::slab_with_holes(1, 3), 3),
+                        chart_maps::planes_as_charts(test_meshes::slab_with_holes(2, 1), 1)}) {
+    const Edges marked = isoline_edges::at_random(map, share, random);
+    isoline_edges::scatter_charts(map, 2, random);
+    chart_maps::change_frames(map, true, random);
+    const Made<CGAL::Exact_rational> made(map, marked);
+    CHECK(check_exact(made, 0.25) > 0);
+    CHECK_FALSE(made.report.is_isometric);
+  }
+}
+
 TEST_CASE("marked edges in round-off", "[constrained_edges]")
 {
   CGAL::Random random(1);

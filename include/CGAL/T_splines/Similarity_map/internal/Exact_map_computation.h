@@ -9,8 +9,10 @@
 #include <CGAL/T_splines/Similarity_map/internal/Branch_fit.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>
 #include <CGAL/T_splines/Similarity_map/internal/Exact_corners.h>
+#include <CGAL/T_splines/Similarity_map/internal/Exact_scales.h>
 #include <CGAL/T_splines/Similarity_map/internal/Exact_transitions.h>
 #include <CGAL/T_splines/Similarity_map/internal/Isoline_arcs.h>
+#include <CGAL/T_splines/Similarity_map/internal/Scale_cycles.h>
 #include <CGAL/T_splines/Similarity_map/internal/Uv_seams.h>
 #include <CGAL/T_splines/Similarity_map/internal/isolines_of_cones.h>
 #include <CGAL/T_splines/Similarity_map/internal/uv_orientation.h>
@@ -123,11 +125,17 @@ private:
     Exact_corners corners(map, arcs, other_free_points(map, arcs, counted));
     if (!is_at(0.6))
       return false;
-    Exact_transitions<double> trial(map, corners.points(), kinds, uncertainty, m_progress);
-    Exact_transitions<FT> transitions(map, corners.points(), kinds, uncertainty, m_progress);
+    std::vector<Isoline_coincidence> lines = border.sides(quarter_turns);
+    for (Isoline_coincidence& line : corners.arcs().coincidences())
+      lines.push_back(std::move(line));
+    std::vector<Exponents> cycles;
+    if (!arcs.is_empty())
+      cycles = Scale_cycles(map, lines).cycles();
+    Exact_transitions<double> trial(map, corners.points(), kinds, uncertainty, cycles, m_progress);
+    Exact_transitions<FT> transitions(map, corners.points(), kinds, uncertainty, cycles, m_progress);
     m_figures.is_isometric = trial.is_isometric();
-    return check_closing(map, trial) && is_at(0.7) && make_exact(map, corners, trial, transitions) && is_at(0.9) &&
-           check_quarter_turns(map, corners, counted) && is_at(1);
+    return check_closing(map, trial) && is_at(0.7) && make_exact(map, corners, lines, trial, transitions) &&
+           is_at(0.9) && check_quarter_turns(map, corners, counted) && is_at(1);
   }
 
   bool fail(const Exact_map_status status, const int vertex, const int halfedge, const double deviation)
@@ -329,12 +337,11 @@ private:
     return static_cast<int>(std::clamp<double>(bits, least, most));
   }
 
-  bool make_exact(const Cut_map& map, Exact_corners& corners, Exact_transitions<double>& trial,
-                  Exact_transitions<FT>& transitions)
+  // \param sides lines of the border and of arcs, which hold in any case
+  bool make_exact(const Cut_map& map, Exact_corners& corners, const std::vector<Isoline_coincidence>& sides,
+                  Exact_transitions<double>& trial, Exact_transitions<FT>& transitions)
   {
-    std::vector<Isoline_coincidence> sides = map.border.sides(map.quarter_turns), chosen;
-    for (Isoline_coincidence& line : corners.arcs().coincidences())
-      sides.push_back(std::move(line));
+    std::vector<Isoline_coincidence> chosen;
     const std::vector<Isoline_coincidence> found =
         nearly_coincident_isolines(map, corners, trial, m_layout.constrained_edges(), m_figures.deviation, m_progress);
     // If triangles are in the way, only round-off is removed, which is measured up to some 1e-9, or nothing.

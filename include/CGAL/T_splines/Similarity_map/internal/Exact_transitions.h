@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Similarity_map/internal/Cut_forest.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_graph.h>
 #include <CGAL/T_splines/Similarity_map/internal/Cut_map.h>
+#include <CGAL/T_splines/Similarity_map/internal/Exact_scales.h>
 #include <CGAL/T_splines/Similarity_map/internal/Free_points.h>
 #include <CGAL/T_splines/Similarity_map/internal/Homogeneous_equations.h>
 #include <CGAL/T_splines/Similarity_map/internal/Isoline_equation.h>
@@ -23,22 +24,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace T_splines {
 namespace internal {
-
-/// What the transitions around a node of the cut must compose to.
-enum class Cut_node_kind : char {
-  IDENTITY,      ///< the rotations cancel: the identity
-  ROTATION,      ///< a rotation by quarter turns about any point
-  BORDER,        ///< a loop of the border that asks for nothing
-  BORDER_LINE_U, ///< a loop on one line, u constant in the first chart: a translation along v
-  BORDER_LINE_V  ///< a loop on one line, v constant in the first chart: a translation along u
-};
 
 /// Exact transitions of the branches of a cut, near those that fit them in doubles.
 ///
@@ -55,29 +46,26 @@ public:
 
   /// \param kind per node
   /// \param uncertainty per branch, of the logarithm of its scale factor
+  /// \param cycles along which the scale factors are to multiply to 1, if they do so but for their uncertainty
   /// \param progress it must outlive this; if it is interrupted, equations are missing
   Exact_transitions(const Cut_map& map, const Free_points& points, const std::vector<Cut_node_kind>& kind,
-                    const std::vector<double>& uncertainty, Progress& progress)
+                    const std::vector<double>& uncertainty, const std::vector<Exponents>& cycles, Progress& progress)
     : m_map(map),
       m_graph(map.graph),
       m_fits(map.fits),
       m_points(points),
       m_kind(kind),
       m_progress(progress),
-      m_scale_forest(m_graph, nodes_of_kind(kind, {Cut_node_kind::BORDER}), uncertainty),
+      m_scales(m_graph, m_fits, kind, uncertainty, cycles),
       m_translation_forest(m_graph, nodes_of_kind(kind, {Cut_node_kind::BORDER, Cut_node_kind::ROTATION}), uncertainty),
-      m_free_scale(m_graph.number_of_branches(), 1.),
-      m_scale(m_graph.number_of_branches(), FT(1)),
-      m_inverse_scale(m_graph.number_of_branches(), FT(1)),
       m_translation(m_graph.number_of_branches()),
       m_free(m_graph.number_of_branches() + points.size()),
       m_equations(2 * (m_graph.number_of_branches() + points.size()))
   {
-    choose_free_scales(uncertainty);
   }
 
   /// Whether all scale factors are 1.
-  bool is_isometric() const { return m_is_isometric; }
+  bool is_isometric() const { return m_scales.are_all_1(); }
 
   /// Sets the isolines that are to connect cones exactly. \param lines to be kept alive
   void set_lines(const std::vector<Isoline_coincidence>& lines)
@@ -90,13 +78,13 @@ public:
   /// translations that are multiples of the so-manieth part of the size of the map, in bits.
   void compute(const int bits)
   {
-    if (!m_is_isometric || !m_has_equations) {
-      compute_scales(bits);
+    if (!is_isometric() || !m_has_equations) {
+      m_scales.compute(bits);
       collect_coefficients();
       collect_equations([this](std::size_t, const typename Equations::Row& row) { add_equation(row, 0); });
     }
     choose_free_values(bits, 1);
-    if (m_is_isometric && !are_on_grid()) // they have denominators that are to cancel
+    if (is_isometric() && !are_on_grid()) // they have denominators that are to cancel
       choose_free_values(bits, m_equations.odd_denominator());
     compute_tree_translations();
   }
@@ -107,7 +95,7 @@ public:
   std::vector<char> independent_lines(const std::vector<Isoline_coincidence>& lines, const std::size_t number_of_sides)
   {
     constexpr double smallest = 1. / 64;
-    compute_scales(53);
+    m_scales.compute(53);
     collect_coefficients();
     set_lines(lines);
     std::vector<char> result(lines.size(), 0);
@@ -122,7 +110,7 @@ public:
   {
     std::vector<char> result;
     Linear_function<FT> sum(m_graph.number_of_branches() + m_points.size());
-    const Isoline_equation<FT> equation(m_map, m_points, m_scale, m_inverse_scale);
+    const Isoline_equation<FT> equation(m_map, m_points, m_scales.values(), m_scales.inverse_values());
     for (const Isoline_coincidence& line : lines) {
       m_progress.go_on_after(1 + line.crossed.size());
       equation.add_to(line, sum);
@@ -133,7 +121,7 @@ public:
 
   Transition transition(const int branch) const
   {
-    return Transition(m_fits[branch].quarter_turns(), m_scale[branch], m_translation[branch].u,
+    return Transition(m_fits[branch].quarter_turns(), m_scales.values()[branch], m_translation[branch].u,
                       m_translation[branch].v);
   }
 
@@ -153,106 +141,13 @@ private:
     Number value;
   };
 
-  static std::vector<char> nodes_of_kind(const std::vector<Cut_node_kind>& kind,
-                                         const std::initializer_list<Cut_node_kind>& wanted)
-  {
-    std::vector<char> result;
-    for (const Cut_node_kind k : kind)
-      result.push_back(std::find(wanted.begin(), wanted.end(), k) != wanted.end());
-    return result;
-  }
-
-  // Scale factors within their uncertainty of 1 are 1, and those within their uncertainty of each other, or of each
-  // other's inverses, are made from one value: their quotients and products then cancel exactly.
-  void choose_free_scales(const std::vector<double>& uncertainty)
-  {
-    std::vector<std::pair<double, int>> order; // absolute value of the logarithm, branch
-    for (int b = 0; b < m_graph.number_of_branches(); ++b)
-      if (!m_scale_forest.is_tree(b) && std::abs(std::log(m_fits[b].scale())) > uncertainty[b])
-        order.emplace_back(std::abs(std::log(m_fits[b].scale())), b);
-    m_is_isometric = order.empty();
-    std::sort(order.begin(), order.end());
-    for (std::size_t first = 0, last; first < order.size(); first = last) {
-      std::size_t best = first;
-      for (last = first + 1; last < order.size(); ++last) {
-        const double allowed = uncertainty[order[last].second] + uncertainty[order[last - 1].second];
-        if (order[last].first - order[last - 1].first > allowed)
-          break;
-        if (uncertainty[order[last].second] < uncertainty[order[best].second])
-          best = last;
-      }
-      const double scale = m_fits[order[best].second].scale(), large = scale > 1 ? scale : 1 / scale;
-      for (std::size_t i = first; i < last; ++i)
-        m_free_scale[order[i].second] = m_fits[order[i].second].scale() > 1 ? large : -large; // negative: the inverse
-    }
-  }
-
-  // The nearest number with so many bits to a number greater than 1, but not 1.
-  static double rounded(const double x, const int bits)
-  {
-    const auto round_to = [bits](const double y) {
-      int exponent;
-      const double mantissa = std::frexp(y, &exponent);
-      return std::ldexp(std::nearbyint(std::ldexp(mantissa, bits)), exponent - bits);
-    };
-    const double result = round_to(x);
-    return result > 1 ? result : 1 + round_to(x - 1);
-  }
-
-  void set_scale(const int branch, FT scale, FT inverse)
-  {
-    m_scale[branch] = std::move(scale);
-    m_inverse_scale[branch] = std::move(inverse);
-  }
-
-  void compute_scales(const int bits)
-  {
-    for (int b = 0; b < m_graph.number_of_branches(); ++b) {
-      const double large = std::abs(m_free_scale[b]);
-      if (large == 1) {
-        set_scale(b, FT(1), FT(1));
-        continue;
-      }
-      const FT s(bits < 53 ? rounded(large, bits) : large);
-      const FT inverse = FT(1) / s;
-      m_free_scale[b] > 0 ? set_scale(b, s, inverse) : set_scale(b, inverse, s);
-    }
-    if (m_is_isometric)
-      return;
-    const std::vector<int>& order = m_scale_forest.order();
-    for (auto node = order.rbegin(); node != order.rend(); ++node)
-      compute_parent_scale(*node);
-  }
-
-  // The scale factors around a node multiply to 1.
-  void compute_parent_scale(const int node)
-  {
-    const int parent = m_scale_forest.parent_branch(node);
-    FT product(1), inverse(1);
-    bool is_outgoing = true;
-    if (parent == Cut_forest::none)
-      return;
-    for (int i = 0; i < m_graph.number_of_ends(node); ++i) {
-      const Cut_graph::End& end = m_graph.end(node, i);
-      if (end.branch == parent) {
-        is_outgoing = end.is_outgoing;
-        continue;
-      }
-      if (m_scale[end.branch] == FT(1))
-        continue;
-      product = FT(product * (end.is_outgoing ? m_inverse_scale : m_scale)[end.branch]);
-      inverse = FT(inverse * (end.is_outgoing ? m_scale : m_inverse_scale)[end.branch]);
-    }
-    is_outgoing ? set_scale(parent, product, inverse) : set_scale(parent, inverse, product);
-  }
-
   // The linear part of the transition by which one passes an end counter-clockwise.
   Number linear_part(const Cut_graph::End& end) const
   {
     const int r = m_fits[end.branch].quarter_turns();
     if (end.is_outgoing)
-      return Number{m_inverse_scale[end.branch], FT(0)}.turned((4 - r) % 4);
-    return Number{m_scale[end.branch], FT(0)}.turned(r);
+      return Number{m_scales.inverse_values()[end.branch], FT(0)}.turned((4 - r) % 4);
+    return Number{m_scales.values()[end.branch], FT(0)}.turned(r);
   }
 
   // The equation of a node is that the translation of the composition around it, sum of coefficients times
@@ -289,7 +184,7 @@ private:
   // Without a grid, a multiple of a power of two that is small against the edges of the branch.
   Number free_translation(const int branch, const double unit) const
   {
-    const Plane_vector<double> t = m_fits[branch].translation(CGAL::to_double(m_scale[branch]));
+    const Plane_vector<double> t = m_fits[branch].translation(CGAL::to_double(m_scales.values()[branch]));
     int exponent;
     std::frexp(m_fits[branch].shortest_edge(), &exponent);
     const double own_unit = unit > 0 ? unit : std::ldexp(1., exponent - 32);
@@ -301,14 +196,14 @@ private:
   {
     int exponent;
     std::frexp(m_map.size, &exponent);
-    m_unit = m_is_isometric ? std::ldexp(1., exponent - bits) : 0;
-    const double unit = m_is_isometric ? m_unit * factor : 0;
+    m_unit = is_isometric() ? std::ldexp(1., exponent - bits) : 0;
+    const double unit = is_isometric() ? m_unit * factor : 0;
     for (int b = 0; b < m_graph.number_of_branches(); ++b)
       m_free[b] = free_translation(b, unit);
     for (int i = 0; i < m_points.size(); ++i) {
       const std::array<double, 2>& p = m_map.uv[m_points[i].corner];
       m_free[m_graph.number_of_branches() + i] =
-          m_is_isometric ? Number{FT(rounded_to(p[0], unit)), FT(rounded_to(p[1], unit))} : Number{FT(p[0]), FT(p[1])};
+          is_isometric() ? Number{FT(rounded_to(p[0], unit)), FT(rounded_to(p[1], unit))} : Number{FT(p[0]), FT(p[1])};
     }
     m_equations.solve([this](const int variable) -> FT& {
       Number& x = m_free[variable / 2];
@@ -419,7 +314,7 @@ private:
     }
     if (m_lines == nullptr)
       return;
-    const Isoline_equation<FT> equation(m_map, m_points, m_scale, m_inverse_scale);
+    const Isoline_equation<FT> equation(m_map, m_points, m_scales.values(), m_scales.inverse_values());
     for (std::size_t i = 0; i < m_lines->size(); ++i) {
       if (!m_progress.go_on_after(1000))
         return;
@@ -456,7 +351,7 @@ private:
     for (const auto& entry : row) {
       const double value = std::abs(CGAL::to_double(entry.second));
       int exponent;
-      const bool is_good = m_is_isometric ? std::frexp(value, &exponent) == 0.5 : value >= largest / 4;
+      const bool is_good = is_isometric() ? std::frexp(value, &exponent) == 0.5 : value >= largest / 4;
       const std::pair<bool, std::size_t> rank(!is_good, m_equations.number_of_occurrences(entry.first));
       if (best == -1 || rank < best_rank) {
         best = entry.first;
@@ -472,17 +367,15 @@ private:
   const Free_points& m_points;
   const std::vector<Cut_node_kind>& m_kind;
   Progress& m_progress;
-  Cut_forest m_scale_forest, m_translation_forest;
-  std::vector<double> m_free_scale; // per branch: 1, or the factor greater than 1, negative if the inverse is meant
-  std::vector<FT> m_scale, m_inverse_scale;             // per branch
+  Exact_scales<FT> m_scales;
+  Cut_forest m_translation_forest;
   std::vector<Number> m_translation;                    // per branch
   std::vector<std::vector<Coefficient>> m_coefficients; // per node
   std::vector<Number> m_free; // per branch, those of the tree do not count; and per free point
   Equations m_equations;      // for the coordinates of these
   const std::vector<Isoline_coincidence>* m_lines = nullptr;
   bool m_has_equations = false; // they are those of the lines
-  bool m_is_isometric = true;
-  double m_unit = 0; // of the grid of an isometric map
+  double m_unit = 0;            // of the grid of an isometric map
 };
 
 } // namespace internal
