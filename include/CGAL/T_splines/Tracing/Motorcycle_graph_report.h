@@ -45,8 +45,8 @@ inline const char* message(const Motorcycle_graph_status status)
 /// What `trace_motorcycle_graph()` did.
 struct Motorcycle_graph_report {
   Motorcycle_graph_status status = Motorcycle_graph_status::SUCCESS; ///< how it ended
-  std::size_t motorcycles = 0;                                       ///< rays that left cones, reflex corners and seeds
-  std::size_t seeds = 0; ///< starts at regular places: on surfaces without cones, and where a trace would spiral
+  std::size_t motorcycles = 0; ///< rays that left cones, corners, ends of walls, seeds
+  std::size_t seeds = 0; ///< starts at regular places: without cones, on closed walls, and where a trace would spiral
   std::size_t crossed_faces = 0;   ///< triangles crossed by traces, counted once per crossing
   std::size_t t_joints = 0;        ///< vertices of the T-mesh where a face goes straight on
   Predicate_statistics predicates; ///< how often the predicates were asked
