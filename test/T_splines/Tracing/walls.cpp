@@ -309,6 +309,29 @@ TEST_CASE("Walls on surfaces with a border", "[walls]")
   }
 }
 
+TEST_CASE("A strip between two walls is divided by regularization", "[walls]")
+{
+  const Chart_map map = isoline_edges::flat_torus(40, 6);
+  const Edges marked =
+      isoline_edges::of(map, [](const int a, int, const int axis) { return axis == 1 && (a % 6 == 2 || a % 6 == 3); });
+  const Traced traced(map, marked);
+  check_walls(traced);
+  T::T_mesh<Kernel::Point_3, Exact> t_mesh, without;
+  REQUIRE(T::copy_T_mesh(traced.view(), t_mesh));
+  REQUIRE(T::copy_T_mesh(traced.view(), without));
+  const Exact length = length_of_walls(t_mesh);
+  const auto report = T::regularize_T_mesh(t_mesh);
+  CHECK(report.success());
+  CHECK(report.worst_aspect_before == 40);
+  CHECK(report.worst_aspect_after <= 3);
+  CHECK(report.divisions > 0);
+  CHECK(length_of_walls(t_mesh) == length);
+  CHECK(T::check_admissibility(t_mesh).success());
+  for (const auto e : without.graph().edges())
+    put(without.constrained_edges(), e, false);
+  CHECK(T::regularize_T_mesh(without).divisions == 0);
+}
+
 TEST_CASE("Where a wall ends inside, motorcycles leave its end; where three walls meet, none do", "[walls]")
 {
   Chart_map map = chart_maps::grid(6, 6, false, no_hole, plane);
