@@ -13,6 +13,7 @@
 #include <CGAL/T_splines/T_mesh/check_admissibility.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
 
+#include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -307,6 +308,25 @@ TEST_CASE("Walls on surfaces with a border", "[walls]")
     check_walls(traced);
     check_edits(traced, random);
   }
+}
+
+TEST_CASE("Walls in a polyhedron, mesh and T-mesh", "[walls]")
+{
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+  CGAL::Random random(1);
+  const Chart_map map = chart_maps::planes_as_charts(test_meshes::slab_with_holes(1, 2), 2);
+  const Edges marked = isoline_edges::at_random(map, 0.3, random);
+  const Traced traced(map, marked);
+  const Traced_map<Polyhedron, Polyhedron, Exact> other(map, marked);
+  check_walls(traced);
+  INFO(other.message_text());
+  REQUIRE(other.success());
+  CHECK(check_all(other).success());
+  const auto number = [](const auto& constrained) {
+    return std::count_if(constrained.begin(), constrained.end(), [](const auto& e) { return e.second; });
+  };
+  CHECK(number(other.constrained) > 0);
+  CHECK(number(other.constrained) == number(traced.constrained));
 }
 
 TEST_CASE("A strip between two walls is divided by regularization", "[walls]")
