@@ -11,6 +11,7 @@
 #include <CGAL/T_splines/T_mesh/T_mesh.h>
 #include <CGAL/T_splines/T_mesh/T_mesh_editor.h>
 #include <CGAL/T_splines/T_mesh/check_admissibility.h>
+#include <CGAL/T_splines/T_mesh/make_spline_compatible.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
 
 #include <CGAL/Polyhedron_3.h>
@@ -196,6 +197,12 @@ TEST_CASE("The edges of a polycube are the walls of its T-mesh", "[walls]")
   const Traced traced(map, marked);
   check_walls(traced);
   check_edits(traced, random);
+  T::T_mesh<Kernel::Point_3, Exact> t_mesh;
+  REQUIRE(T::copy_T_mesh(traced.view(), t_mesh));
+  const std::size_t faces = t_mesh.graph().number_of_faces();
+  CHECK(T::make_spline_compatible(t_mesh).success());
+  CHECK(t_mesh.graph().number_of_faces() > faces);
+  CHECK(length_of_walls(t_mesh) == length_of_walls_in_map(traced));
 }
 
 TEST_CASE("Walls that close up get seeds on the sides on which nothing meets them", "[walls]")
