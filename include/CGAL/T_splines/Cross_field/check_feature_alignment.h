@@ -12,6 +12,7 @@
 #include <CGAL/T_splines/Cross_field/internal/check_numbered_vertices.h>
 #include <CGAL/T_splines/Cross_field/internal/sector_turns.h>
 #include <CGAL/T_splines/Cross_field/support/cross_angles.h>
+#include <CGAL/T_splines/Cross_field/support/matched_rotations.h>
 #include <CGAL/T_splines/defaults.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/element_numbers.h>
@@ -139,8 +140,10 @@ std::vector<int> turns_of_sectors(const Signature_domain<TriangleMesh>& domain, 
       border_crosses(mesh, domain.m_geometry, domain.guide(np),
                      angles_to_halfedges(mesh, domain.m_geometry, angle_in_face), worst_on_border, deviation_of_border);
   std::vector<int> result;
-  for (const double turns : sectors.quarter_turns(domain.m_geometry.m_corner_angle,
-                                                  matched_rotations(domain, angle_in_face, np), border_cross))
+  for (const double turns : sectors.quarter_turns(
+           domain.m_geometry.m_corner_angle,
+           matched_rotations(domain.m_indexing, mesh, angles_to_halfedges(mesh, domain.m_geometry, angle_in_face), np),
+           border_cross))
     result.push_back(static_cast<int>(std::lround(turns)));
   return result;
 }

@@ -174,7 +174,7 @@ void write_feature_alignment(const Signature_domain<TriangleMesh>& domain, const
 /// field is computed anew then.
 ///
 /// Hand the matchings to `holonomy_signature_of_cross_field()`: the signature has the sums of the sectors around vertices. Cones on features are needed;
-/// `reduce_cones()` does not know of that.
+/// `reduce_cones()` keeps them if it gets the features as `edge_is_constrained_map`.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam EdgeIsFeatureMap a model of `ReadWritePropertyMap` from edges to `bool`
 /// \tparam CrossFieldMap a model of `WritablePropertyMap` from faces to three-dimensional vectors, which are

@@ -9,7 +9,7 @@
 #include <CGAL/T_splines/Cross_field/internal/Signature_domain.h>
 #include <CGAL/T_splines/Cross_field/internal/check_numbered_vertices.h>
 #include <CGAL/T_splines/Cross_field/internal/Smooth_field_computation.h>
-#include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
+#include <CGAL/T_splines/Cross_field/internal/write_cross_field.h>
 #include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Progress.h>
@@ -110,35 +110,6 @@ Smooth_field_options smooth_field_options(const Signature_domain<TriangleMesh>& 
               edge(indexing.halfedge(internal::halfedge_of_edge(static_cast<int>(e))), indexing.graph())))
         options.is_edge_constrained[e] = 1;
   return options;
-}
-
-template <typename TriangleMesh, typename CrossFieldMap>
-void write_cross_field(const Mesh_indexing<TriangleMesh>& indexing, const Triangulation_connectivity& mesh,
-                       const Triangle_geometry& geometry, const std::vector<double>& angle, CrossFieldMap& cross_field)
-{
-  using Vector_3 = typename boost::property_traits<CrossFieldMap>::value_type;
-  for (int f = 0; f < mesh.number_of_faces(); ++f) {
-    const Triangle_geometry::Vector_3 v =
-        std::cos(angle[f]) * geometry.x_axis(mesh, f) + std::sin(angle[f]) * geometry.y_axis(mesh, f);
-    put(cross_field, indexing.face(f), Vector_3(v.x(), v.y(), v.z()));
-  }
-}
-
-/// The matchings, as in `holonomy_signature_of_cross_field()`, that make the given rotations.
-template <typename TriangleMesh, typename MatchingMap>
-void write_matchings(const Mesh_indexing<TriangleMesh>& indexing, const Triangulation_connectivity& mesh,
-                     const Triangle_geometry& geometry, const std::vector<double>& angle,
-                     const std::vector<double>& rotation, const MatchingMap& matchings)
-{
-  const std::vector<double> relative = angles_to_halfedges(mesh, geometry, angle);
-  for (int e = 0; e < mesh.number_of_edges(); ++e) {
-    const auto [h, g] = halfedges_of_edge(e);
-    int matching = 0;
-    if (mesh.face(h) != Triangulation_connectivity::null && mesh.face(g) != Triangulation_connectivity::null)
-      matching = static_cast<int>(std::lround((rotation[e] - relative[h] + relative[g] + CGAL_PI) / quarter_turn));
-    put(matchings, indexing.halfedge(h), (matching % 4 + 4) % 4);
-    put(matchings, indexing.halfedge(g), (-matching % 4 + 4) % 4);
-  }
 }
 
 } // namespace internal

@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/Cross_field/internal/Signature_domain.h>
 #include <CGAL/T_splines/Cross_field/internal/check_numbered_vertices.h>
 #include <CGAL/T_splines/Cross_field/support/cross_angles.h>
+#include <CGAL/T_splines/Cross_field/support/matched_rotations.h>
 #include <CGAL/T_splines/Cross_field/internal/field_holonomy.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
@@ -31,24 +32,6 @@ namespace internal {
 
 // A cross that is further from the direction of the border might as well be turned the other way.
 constexpr double largest_border_deviation = 30 * CGAL_PI / 180;
-
-// The rotation of the field across each edge, by given matchings if there are any.
-template <typename TriangleMesh, typename NamedParameters>
-std::vector<double> matched_rotations(const Signature_domain<TriangleMesh>& mesh,
-                                      const std::vector<double>& angle_in_face, const NamedParameters& np)
-{
-  const std::vector<double> angle = angles_to_halfedges(mesh.m_connectivity, mesh.m_geometry, angle_in_face);
-  const auto matching_map = CGAL::parameters::get_parameter(np, np_tags::halfedge_matching_map);
-  if constexpr (std::is_same_v<std::decay_t<decltype(matching_map)>, CGAL::internal_np::Param_not_found>)
-    return field_rotations(mesh.m_connectivity, angle);
-  else {
-    std::vector<int> matching(mesh.m_connectivity.number_of_edges());
-    for (std::size_t e = 0; e < matching.size(); ++e)
-      matching[e] = static_cast<int>(
-          get(matching_map, mesh.m_indexing.halfedge(internal::halfedge_of_edge(static_cast<int>(e)))));
-    return field_rotations(mesh.m_connectivity, angle, matching);
-  }
-}
 
 // A field and what it is measured by: the rotations across edges, and the crosses at the border.
 struct Field_holonomy {
@@ -313,7 +296,9 @@ holonomy_signature_of_cross_field(const TriangleMesh& mesh, const CrossFieldMap&
     report.deviation = deviation / internal::quarter_turn;
     return report;
   }
-  field.rotation = internal::matched_rotations(domain, angle, np);
+  field.rotation =
+      internal::matched_rotations(domain.m_indexing, domain.m_connectivity,
+                                  internal::angles_to_halfedges(domain.m_connectivity, domain.m_geometry, angle), np);
   const bool has_given_corners = internal::given_corners<TriangleMesh>(np).has_value();
   if (has_given_corners && !report.is_aligned) {
     const std::vector<double> turns = internal::vertex_quarter_turns(

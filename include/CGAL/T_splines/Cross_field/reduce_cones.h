@@ -10,7 +10,9 @@
 #include <CGAL/T_splines/Cross_field/internal/Signature_domain.h>
 #include <CGAL/T_splines/Cross_field/internal/Cone_paths.h>
 #include <CGAL/T_splines/Cross_field/internal/Cone_reduction.h>
+#include <CGAL/T_splines/Cross_field/internal/Cone_regions.h>
 #include <CGAL/T_splines/Cross_field/internal/Scale_energy.h>
+#include <CGAL/T_splines/Cross_field/internal/Moved_field.h>
 #include <CGAL/T_splines/Cross_field/internal/split_targets.h>
 #include <CGAL/T_splines/Solver/default_solver.h>
 #include <CGAL/T_splines/defaults.h>
@@ -98,32 +100,40 @@ std::vector<int> split_targets(const Signature_domain<TriangleMesh>& mesh,
                        disk_radii(mesh.m_geometry, mesh.m_components), most, progress);
 }
 
-/// reduces with computed energies and writes the signature and the report; the signature stays what it was if `progress`
-/// is interrupted.
-template <typename TriangleMesh, typename ScaleEnergy>
-void reduce_cones(const Signature_domain<TriangleMesh>& mesh, const ScaleEnergy& energy,
-                  const std::vector<int>& vertices, const std::vector<std::vector<int>>& strips,
-                  const Cone_reduction_limits& limits, Progress& progress, Holonomy_signature<TriangleMesh>& signature,
-                  Cone_reduction_report<TriangleMesh>& report)
+/// The numbers of cones and strips. \param region per vertex: quarter turns move within it
+template <typename TriangleMesh>
+Cones_and_strips cones_and_strips(const Signature_domain<TriangleMesh>& mesh,
+                                  const Holonomy_signature<TriangleMesh>& signature, const std::vector<int>& vertices,
+                                  const std::vector<int>& region)
 {
   Cones_and_strips numbers;
   for (const int v : vertices) {
-    numbers.component.push_back(mesh.m_components.of_vertex[v]);
+    numbers.component.push_back(region[v]);
     numbers.quarter_turns.push_back(signature.quarter_turns(mesh.m_indexing.vertex(v)));
   }
   for (const auto& loop : signature.loops())
     numbers.strip_quarter_turns.push_back(loop.quarter_turns);
   for (const auto& arc : signature.arcs())
     numbers.strip_quarter_turns.push_back(arc.quarter_turns);
-  Cone_paths paths(mesh.m_connectivity, mesh.m_geometry.m_edge_length, vertices, strips, progress);
-  Cone_reduction<ScaleEnergy, Cone_paths> reduction(energy, paths, numbers, progress);
+  return numbers;
+}
+
+/// reduces with computed energies and writes the signature and the report; the signature stays what it was if `progress`
+/// is interrupted.
+/// \param moves_strips whether numbers of loops and arcs may change without a path of edges that they cross
+template <typename TriangleMesh, typename Reduction>
+void reduce_cones(const Signature_domain<TriangleMesh>& mesh, const std::vector<int>& vertices, Reduction& reduction,
+                  const Cone_reduction_limits& limits, const bool moves_strips, Progress& progress,
+                  Holonomy_signature<TriangleMesh>& signature, Cone_reduction_report<TriangleMesh>& report)
+{
+  const auto straighten = [&] { return moves_strips ? reduction.straighten_strips() : 0; };
   report.number_of_cones_before = reduction.number_of_cones();
   report.energy_before = reduction.energy();
-  report.number_of_loop_turns = reduction.straighten_strips();
+  report.number_of_loop_turns = straighten();
   report.number_of_splits = reduction.split();
   for (int turns = 1; turns > 0; report.number_of_loop_turns += turns) {
     reduction.reduce(limits);
-    turns = reduction.straighten_strips();
+    turns = straighten();
     if (progress.is_interrupted())
       return;
   }
@@ -141,6 +151,43 @@ void reduce_cones(const Signature_domain<TriangleMesh>& mesh, const ScaleEnergy&
     signature.set_loop_quarter_turns(l, turns[l]);
   for (std::size_t a = 0; a < signature.arcs().size(); ++a)
     signature.set_arc_quarter_turns(a, turns[signature.loops().size() + a]);
+}
+
+/// reduces with computed energies, and with the field that there may be; where there is too little room for a field to turn as
+/// the merges want it, cones stay.
+/// \return false if the solver fails; then, and if `progress` is interrupted, signature and field stay as they are
+template <typename TriangleMesh, typename ScaleEnergy, typename NamedParameters, typename SolverTraits>
+bool reduce_cones_and_field(const Signature_domain<TriangleMesh>& domain, const ScaleEnergy& energy,
+                            const std::vector<int>& vertices, const std::vector<std::vector<int>>& strips,
+                            const NamedParameters& np, SolverTraits& solver, Progress& progress,
+                            Holonomy_signature<TriangleMesh>& signature, Cone_reduction_report<TriangleMesh>& report)
+{
+  constexpr bool has_field = has_cross_field_map<NamedParameters>;
+  const Cone_reduction_report<TriangleMesh> before = report;
+  Cone_regions regions(domain, np);
+  while (!progress.is_interrupted()) {
+    Cone_paths paths(domain.m_connectivity, regions.edge_lengths(), vertices, strips, progress);
+    Cone_reduction<ScaleEnergy, Cone_paths> reduction(
+        energy, paths, cones_and_strips(domain, signature, vertices, regions.of_vertex()), progress);
+    Holonomy_signature<TriangleMesh> reduced = signature;
+    report = before;
+    reduce_cones(domain, vertices, reduction, regions.limits(cone_reduction_limits(domain.m_components, np)),
+                 !has_field && !regions.has_constraints(), progress, reduced, report);
+    if (progress.is_interrupted())
+      break;
+    if constexpr (has_field) {
+      Moved_field field(domain, regions, np);
+      if (!field.compute(reduction.moves(), paths, solver, progress))
+        return progress.is_interrupted();
+      const std::vector<int> overturned = field.overturned_edges();
+      if (!overturned.empty() && regions.separate(domain.m_connectivity, overturned, vertices))
+        continue;
+      field.write(domain, np);
+    }
+    signature = std::move(reduced);
+    break;
+  }
+  return true;
 }
 
 } // namespace internal
@@ -167,6 +214,12 @@ void reduce_cones(const Signature_domain<TriangleMesh>& mesh, const ScaleEnergy&
 ///
 /// Merges leave numbers of three to six quarter turns. Only if the demanded number of cones cannot be reached so,
 /// others from two upwards are made, and if need be from one upwards.
+///
+/// Where edges are constrained, because a field follows them, cones on them stay what they are, and so do the numbers of
+/// loops and arcs but for what paths that avoid these edges do to them. With a cross field that has the signature, the
+/// field is changed to one that has the new signature: along the paths its crosses turn by as many quarter turns more,
+/// and are then relaxed, but in the faces of constrained and of border edges. Where crosses of neighboring faces would have to
+/// differ by more than a quarter turn, the part between constrained edges keeps its cones.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param mesh a triangle mesh, of one or more components, with or without border
 /// \param signature an admissible signature of `mesh`; it is changed if the status is REDUCED or LIMIT_UNREACHABLE, and
@@ -200,6 +253,33 @@ void reduce_cones(const Signature_domain<TriangleMesh>& mesh, const ScaleEnergy&
 ///     \cgalParamExtra{With `maximum_energy_change` they go on beyond that as long as they are cheap. A closed component
 ///       of genus 0 needs three cones, one of genus 1 none, others one; one with a border needs none if its corners
 ///       satisfy the theorem of Gauss and Bonnet, else one.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{the edges that a cross field follows: no quarter turn moves onto them or across them}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%edge_descriptor` ->
+///       `bool`}
+///     \cgalParamDefault{no edge is constrained}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{cross_field_map}
+///     \cgalParamDescription{one of the four directions of a cross field with the signature, in each face; receives those of
+///       one with the new signature. It is as smooth as can be, see `curvature_alignment`}
+///     \cgalParamType{a model of `ReadWritePropertyMap`, `boost::graph_traits<TriangleMesh>::%face_descriptor` ->
+///       a three-dimensional vector, constructible from three `double`s}
+///     \cgalParamDefault{none: no field is needed}
+///     \cgalParamExtra{Numbers of loops and arcs are then not changed but by merges.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{halfedge_matching_map}
+///     \cgalParamDescription{the matchings of the cross field, as `compute_smooth_cross_field()` writes them; receives
+///       those of the new one}
+///     \cgalParamType{a model of `ReadWritePropertyMap`, `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` ->
+///       an integer}
+///     \cgalParamDefault{the closest rotation decides}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{curvature_alignment}
+///     \cgalParamDescription{how near the new cross field stays to the one that is given, a number w >= 0: in parts of the surface
+///       larger than the square root of area / w}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0: it is the smoothest field with the new signature that follows the constrained edges}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sparse_linear_solver}
 ///     \cgalParamDescription{the solver for the linear systems}
@@ -260,8 +340,8 @@ Cone_reduction_report<TriangleMesh> reduce_cones(const TriangleMesh& mesh, Holon
   }
   if (is_computed) {
     const internal::Progress::Part part(progress, 0.5, 1);
-    internal::reduce_cones(domain, energy, vertices, strips, internal::cone_reduction_limits(domain.m_components, np),
-                           progress, signature, report);
+    is_computed =
+        internal::reduce_cones_and_field(domain, energy, vertices, strips, np, solver, progress, signature, report);
   }
   if (progress.is_interrupted())
     report.status = Cone_reduction_status::INTERRUPTED;

@@ -73,6 +73,22 @@ public:
     return known->second;
   }
 
+  /// The halfedges of the path between two cones. \pre The cones belong to the same component
+  std::vector<int> path(const int from, const int to)
+  {
+    std::vector<int> result;
+    if (from > to) {
+      result = path(to, from);
+      std::reverse(result.begin(), result.end());
+      for (int& h : result)
+        h = opposite(h);
+      return result;
+    }
+    m_distances.search(m_vertices[from],
+                       [&](const int v, double) { return m_progress.go_on_after(10) && v != m_vertices[to]; });
+    return m_distances.path_to(m_vertices[to]);
+  }
+
   /// computes the `number` cones that are nearest to `from`, by increasing distance, or fewer if there are no more.
   std::vector<int> nearest(const int from, const int number)
   {

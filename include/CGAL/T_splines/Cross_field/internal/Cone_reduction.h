@@ -42,7 +42,7 @@ struct Cone_move {
 
 /// What a signature tells, on cones and strips with indices.
 struct Cones_and_strips {
-  std::vector<int> component;           ///< per cone
+  std::vector<int> component;           ///< per cone: quarter turns move within it
   std::vector<int> quarter_turns;       ///< per cone
   std::vector<int> strip_quarter_turns; ///< per strip
 };
@@ -175,6 +175,7 @@ public:
   int number_of_cones() const { return static_cast<int>(m_cones.size()); }
   const Cones_and_strips& signature() const { return m_signature; }
   const std::vector<Cone_move>& merges() const { return m_merges; } ///< in this order
+  const std::vector<Cone_move>& moves() const { return m_moves; }   ///< all of them, in this order
 
 private:
   using Range = std::pair<int, int>;
@@ -414,6 +415,7 @@ private:
 
   void apply(const Cone_move& move)
   {
+    m_moves.push_back(move);
     const double t = move.quarter_turns * quarter_turn;
     if (!m_period.empty()) {
       const Direction& d = direction((std::min)(move.from, move.to), (std::max)(move.from, move.to));
@@ -447,7 +449,7 @@ private:
   bool m_pairs_are_all = true;
   std::vector<int> m_cones; // those that are not regular, by increasing index
   std::vector<Cone_move> m_candidates;
-  std::vector<Cone_move> m_merges;
+  std::vector<Cone_move> m_merges, m_moves;
   double m_total = 0;
 };
 
