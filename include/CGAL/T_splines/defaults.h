@@ -55,6 +55,12 @@ constexpr double default_residual_tolerance = 1e-12;
 /// The most steps of Newton's method for the metric of a map.
 constexpr int default_number_of_newton_steps = 100;
 
+/// \ingroup PkgTSplinesSimilarityMap
+/// The weight of distortion against alignment in an aligned map.
+///
+/// With 1 fields are followed by 7 to 25 % less, with 0.01 by 7 % more, and the most distorted triangles are distorted four times as much.
+constexpr double default_distortion_weight = 0.1;
+
 /// \ingroup PkgTSplinesTMesh
 /// How far lengths of a T-mesh that are equal may differ, relative to the larger one: knots that are rounded to `double`s,
 /// scaled and summed on different ways are off by some 1e-14, those that are written with ten digits by more.

@@ -9,6 +9,7 @@
 #include <CGAL/T_splines/Similarity_map/Seamless_map.h>
 #include <CGAL/T_splines/Similarity_map/internal/Exact_map_computation.h>
 #include <CGAL/T_splines/Similarity_map/internal/decimal_tolerance.h>
+#include <CGAL/T_splines/Similarity_map/internal/map_arrays.h>
 #include <CGAL/T_splines/internal/Progress.h>
 #include <CGAL/T_splines/named_parameters.h>
 
@@ -21,32 +22,6 @@ namespace CGAL {
 namespace T_splines {
 
 namespace internal {
-
-template <typename TriangleMesh, typename HalfedgeUVMap>
-Uv_array uv_array(const Mesh_indexing<TriangleMesh>& indexing, const HalfedgeUVMap uv_map)
-{
-  Uv_array result(indexing.number_of_halfedges(), {{0, 0}});
-  for (int i = 0; i < indexing.number_of_halfedges(); ++i) {
-    if (is_border(indexing.halfedge(i), indexing.graph()))
-      continue;
-    const auto& p = get(uv_map, indexing.halfedge(i));
-    result[i] = {{CGAL::to_double(p.x()), CGAL::to_double(p.y())}};
-  }
-  return result;
-}
-
-/// Per edge, or empty if the parameter is not given.
-template <typename TriangleMesh, typename EdgeIsConstrainedMap>
-std::vector<char> constrained_edges(const Mesh_indexing<TriangleMesh>& indexing,
-                                    const EdgeIsConstrainedMap& edge_is_constrained_map)
-{
-  std::vector<char> result;
-  if constexpr (!is_missing<EdgeIsConstrainedMap>)
-    for (int e = 0; 2 * e < indexing.number_of_halfedges(); ++e)
-      result.push_back(
-          get(edge_is_constrained_map, edge(indexing.halfedge(halfedge_of_edge(e)), indexing.graph())) ? 1 : 0);
-  return result;
-}
 
 template <typename TriangleMesh, typename FT>
 Exact_map_report<TriangleMesh> exact_map_report(const Mesh_indexing<TriangleMesh>& indexing,

@@ -79,6 +79,9 @@ public:
 
   bool is_free(const int variable) const { return m_row_of_variable[variable] == none; }
 
+  /// The equation that is solved for a variable, whose coefficient is 1. \pre `!is_free(variable)`
+  const Row& row_of(const int variable) const { return m_rows[m_row_of_variable[variable]]; }
+
   /// Computes the variables that the equations are solved for from the others. \param value of a variable, to be changed
   template <typename Value>
   void solve(const Value& value) const
