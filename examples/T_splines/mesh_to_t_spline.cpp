@@ -13,6 +13,7 @@
 #include "mesh_to_t_spline/Mapped_mesh_figures.h"
 #include "mesh_to_t_spline/Results.h"
 #include "mesh_to_t_spline/Summary.h"
+#include "mesh_to_t_spline/features.h"
 #include "mesh_to_t_spline/guidance.h"
 #include "mesh_to_t_spline/map_computation.h"
 #include "mesh_to_t_spline/reading_advice.h"
@@ -115,10 +116,15 @@ private:
     std::optional<Hole_figures> holes;
     if (m_options.largest_hole && !fill_holes(holes.emplace()))
       return false;
+    m_figures.input = input_figures(m_results.input, m_options.input_file(), report);
+    if (m_options.asks_for_features() &&
+        !goes_on(find_features(m_options, m_progress, m_results.input, m_figures.features)))
+      return false;
     m_results.approximation.emplace(m_results.input);
+    if (m_figures.features)
+      m_results.approximation->set_features(features_of(m_results.input));
     if (m_results.is_data)
       m_results.approximation->set_data(*m_results.is_data);
-    m_figures.input = input_figures(m_results.input, m_options.input_file(), report);
     m_figures.input.holes = holes;
     return true;
   }
@@ -165,9 +171,32 @@ private:
 
   bool find_map()
   {
-    return goes_on(find_signature(m_options, m_results.input, m_solver, m_progress, *m_results.approximation,
-                                  m_figures.signature)) &&
-           goes_on(compute_map(m_options, m_solver, m_progress, *m_results.approximation, m_figures.map.emplace()));
+    if (!find_map(m_options))
+      return false;
+    const auto& reduction = m_figures.signature.reduction;
+    if (!m_figures.features || m_figures.features->edges_not_met == 0 || !reduction || reduction->merges == 0)
+      return true;
+    Options all_cones = m_options; // with which more features can be met
+    all_cones.are_cones_reduced = false;
+    m_figures.signature = {};
+    m_figures.features->edges_of_map = 0;
+    return find_map(all_cones);
+  }
+
+  bool find_map(const Options& options)
+  {
+    if (!goes_on(find_signature(options, m_results.input, m_solver, m_progress, *m_results.approximation,
+                                m_figures.signature)))
+      return false;
+    if (m_figures.features) {
+      m_figures.features->soft_edges.clear();
+      for (const auto& soft : m_results.approximation->report().feature_field.soft_edges)
+        m_figures.features->soft_edges.emplace_back(static_cast<std::size_t>(source(soft.halfedge, m_results.input)),
+                                                    static_cast<std::size_t>(target(soft.halfedge, m_results.input)));
+    }
+    return goes_on(compute_map(options, m_solver, m_progress, *m_results.approximation, m_figures.map.emplace())) &&
+           goes_on(align_map(options, m_solver, m_progress, *m_results.approximation, m_figures.features,
+                             m_figures.alignment));
   }
 
   bool make_t_mesh()

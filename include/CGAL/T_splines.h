@@ -9,6 +9,7 @@
 
 #include <CGAL/T_splines/Approximation/Mapped_mesh.h>
 #include <CGAL/T_splines/Approximation/Surface_T_mesh.h>
+#include <CGAL/T_splines/Approximation/Surface_guidance.h>
 #include <CGAL/T_splines/Approximation/T_spline_approximation.h>
 #include <CGAL/T_splines/Approximation/T_spline_approximation_report.h>
 #include <CGAL/T_splines/Approximation/approximate_by_T_spline.h>
@@ -24,6 +25,7 @@
 #include <CGAL/T_splines/Cross_field/feature_figures.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
+#include <CGAL/T_splines/Cross_field/match_cross_field.h>
 #include <CGAL/T_splines/Cross_field/reduce_cones.h>
 #include <CGAL/T_splines/Cross_field/refine_at_features.h>
 #include <CGAL/T_splines/IO/Atomic_file.h>
@@ -55,12 +57,15 @@
 #include <CGAL/T_splines/Progress_visitor.h>
 #include <CGAL/T_splines/Similarity_2.h>
 #include <CGAL/T_splines/Similarity_map/Exact_map_report.h>
+#include <CGAL/T_splines/Similarity_map/Map_alignment_report.h>
 #include <CGAL/T_splines/Similarity_map/Flip_policy.h>
 #include <CGAL/T_splines/Similarity_map/Seamless_map.h>
 #include <CGAL/T_splines/Similarity_map/Similarity_map_report.h>
 #include <CGAL/T_splines/Similarity_map/Similarity_metric.h>
+#include <CGAL/T_splines/Similarity_map/align_seamless_map.h>
 #include <CGAL/T_splines/Similarity_map/compute_seamless_similarity_map.h>
 #include <CGAL/T_splines/Similarity_map/compute_similarity_metric.h>
+#include <CGAL/T_splines/Similarity_map/cross_field_of_map.h>
 #include <CGAL/T_splines/Similarity_map/make_exactly_seamless.h>
 #include <CGAL/T_splines/Solver/Cholmod_spd_solver_traits.h>
 #include <CGAL/T_splines/Solver/Eigen_spd_solver_traits.h>

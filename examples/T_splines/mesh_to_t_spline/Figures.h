@@ -55,6 +55,24 @@ struct Figures {
     int cones_before = 0, cones = 0, loop_turns = 0, splits = 0, merges = 0;
     double energy_before = 0, energy = 0;
   };
+  /// The features that were found or given.
+  struct Features {
+    std::string source;
+    std::size_t edges = 0, arcs = 0, closed_arcs = 0, corners = 0, darts = 0;
+    std::size_t added_faces = 0;                                 ///< by the refinement at features
+    std::vector<std::pair<std::size_t, std::size_t>> soft_edges; ///< that the field does not follow: their vertices
+    std::size_t edges_of_map = 0, edges_not_met = 0;             ///< of the refined mesh of the map
+  };
+  /// What the alignment of the map did.
+  struct Alignment {
+    std::string status;
+    bool is_aligned = false;
+    double mean_before = 0, mean_rotated = 0, mean = 0; ///< of the angle between field and isolines, in degrees
+    double most_before = 0, most_rotated = 0, most = 0; ///< that it exceeds on 5 % of the area
+    double mean_distortion = 0, largest_distortion = 0;
+    double largest_scale_before = 1, largest_scale = 1;
+    int steps = 0;
+  };
   struct Signature {
     std::string source;
     std::optional<Cone_reduction> reduction;
@@ -81,7 +99,9 @@ struct Figures {
   std::string version;
   Input input;
   Signature signature;
-  std::optional<Map_figures> map; ///< none if a given map was read
+  std::optional<Features> features;   ///< none if there are none
+  std::optional<Map_figures> map;     ///< none if a given map was read
+  std::optional<Alignment> alignment; ///< none if the map is the conformal one
   Refined refined;
   std::optional<Exact_map_figures> exact_map;
   std::optional<T_mesh_stage_figures> t_mesh;
@@ -125,6 +145,34 @@ inline void write_map_figures(Json_writer& json, const Map_figures& map)
   json.member("delaunay_flips", map.delaunay_flips).member("flips", map.flips);
   json.member("mantissa_bits", map.mantissa_bits);
   json.member("solver", map.solver).member("flip_policy", map.flip_policy);
+  json.end_object();
+}
+
+inline void write_features_figures(Json_writer& json, const Figures::Features& features)
+{
+  json.key("features").begin_object();
+  json.member("source", features.source).member("edges", features.edges).member("arcs", features.arcs);
+  json.member("closed_arcs", features.closed_arcs).member("corners", features.corners).member("darts", features.darts);
+  json.member("added_faces", features.added_faces);
+  json.key("soft_edges").begin_array();
+  for (const auto& [from, to] : features.soft_edges)
+    json.begin_object().member("from", from).member("to", to).end_object();
+  json.end_array();
+  json.member("edges_of_map", features.edges_of_map).member("edges_not_met", features.edges_not_met);
+  json.end_object();
+}
+
+inline void write_alignment_figures(Json_writer& json, const Figures::Alignment& alignment)
+{
+  json.key("alignment").begin_object();
+  json.member("status", alignment.status).member("is_aligned", alignment.is_aligned);
+  json.member("mean_before", alignment.mean_before).member("mean_rotated", alignment.mean_rotated);
+  json.member("mean", alignment.mean).member("quantile_95_before", alignment.most_before);
+  json.member("quantile_95_rotated", alignment.most_rotated).member("quantile_95", alignment.most);
+  json.member("mean_distortion", alignment.mean_distortion);
+  json.member("largest_distortion", alignment.largest_distortion);
+  json.member("largest_scale_before", alignment.largest_scale_before);
+  json.member("largest_scale", alignment.largest_scale).member("steps", alignment.steps);
   json.end_object();
 }
 
@@ -190,9 +238,13 @@ inline std::string figures_as_json(const Figures& figures)
   json.key("input").begin_object();
   write_input_members(json, figures.input);
   json.end_object();
+  if (figures.features)
+    write_features_figures(json, *figures.features);
   write_signature_figures(json, figures.signature);
   if (figures.map)
     write_map_figures(json, *figures.map);
+  if (figures.alignment)
+    write_alignment_figures(json, *figures.alignment);
   write_refined_figures(json, figures.refined);
   if (figures.exact_map)
     write_exact_map_figures(json, *figures.exact_map);

@@ -71,7 +71,14 @@ inline std::vector<Option_group> option_table()
         {"--align-boundary", "a field from a file that does not follow the border stands for one with the same cones "
                              "that does; else it is refused"}}},
       {"For the computed field",
-       {{"--align-curvature X", "aligns it to principal curvatures: 0 not at all, 100 well (0)"},
+       {{"--features FILE", "edges of the mesh that become edges of the T-mesh: pairs of vertices, counted from 0, one "
+                            "a line; a .sharp file of "
+                            "quadwild; or the lines (l) of an OBJ (none)"},
+        {"--feature-angle DEGREES",
+         "sharp edges become edges of the T-mesh: where the normals of the faces differ by more "
+         "than this, and by more than around (none; " +
+             text_of(T::default_feature_angle) + " is good)"},
+        {"--align-curvature X", "aligns it to principal curvatures: 0 not at all, 100 well (0)"},
         {"--cone-energy X", "cones are merged as long as a merge raises the energy of the map's scale by at most X, a "
                             "number without unit; 0 "
                             "merges only what is better merged (" +
@@ -85,6 +92,10 @@ inline std::vector<Option_group> option_table()
        {{"--flips delaunay|degeneracy|degeneracy-only",
          "how the triangulation follows the metric: ideal Delaunay flips, or flips of degenerating triangles with or "
          "without the intrinsic Delaunay property (delaunay)"},
+        {"--scale auto|as-is|unit|dyadic",
+         "the scale factors of the map's transitions: those of the conformal map; 1, so that knots are the same on "
+         "both sides "
+         "of each edge; or powers of two (auto: 1 if there are features, else as is)"},
         {"--tolerance-residual X", "the largest deviation from the prescribed angles, in radians (" +
                                        text_of(T::default_residual_tolerance) + ")"},
         {"--max-iterations N", "the most Newton steps (" + std::to_string(T::default_number_of_newton_steps) + ")"},

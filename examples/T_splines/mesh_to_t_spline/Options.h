@@ -4,6 +4,7 @@
 #ifndef MESH_TO_T_SPLINE_OPTIONS_H
 #define MESH_TO_T_SPLINE_OPTIONS_H
 
+#include <CGAL/T_splines/Similarity_map/Map_alignment_report.h>
 #include <CGAL/T_splines/defaults.h>
 
 #include <cstddef>
@@ -56,6 +57,9 @@ struct Options {
   std::optional<std::vector<int>> loops;
   std::optional<double> corner_angle; ///< in degrees; none: the default of the library
   bool has_corners = true, is_border_aligned = false;
+  std::string features;                ///< a file
+  std::optional<double> feature_angle; ///< in degrees
+  CGAL::T_splines::Scale_policy scale_policy = CGAL::T_splines::Scale_policy::UNIT_IF_CONSTRAINED;
   double curvature_alignment = 0;
   std::optional<double> cone_energy; ///< none: the default, which depends on `largest_number_of_cones`
   std::optional<int> largest_number_of_cones;
@@ -71,6 +75,8 @@ struct Options {
   Mesh_format mesh_format = Mesh_format::OBJ;
   bool are_cones_reduced = true, is_map_only = false, is_regularized = true, has_spline = true, has_levels = false;
   bool is_quiet = false, asks_help = false, asks_table = false, asks_version = false;
+
+  bool asks_for_features() const { return !features.empty() || feature_angle; }
 
   const std::string& input_file() const { return uv.empty() ? mesh : uv; }
 };

@@ -7,6 +7,7 @@
 #include "Options.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstddef>
 #include <limits>
@@ -64,6 +65,11 @@ private:
       m_error = "--corner-angle and --no-corners exclude each other";
     else if (options.is_border_aligned && options.field.empty())
       m_error = "--align-boundary goes with --field: the computed field follows the border";
+    else if (!options.features.empty() && options.feature_angle)
+      m_error = "--features and --feature-angle exclude each other";
+    else if (options.largest_hole && options.asks_for_features())
+      m_error = std::string("--fill-holes and ") + (options.features.empty() ? "--feature-angle" : "--features") +
+                " exclude each other: what fills holes meets features anywhere";
     else if (!m_computed_field_option.empty() && has_guidance)
       m_error = m_computed_field_option + " is for the computed field";
     else if (!options.are_cones_reduced && (options.cone_energy || options.largest_number_of_cones))
@@ -168,7 +174,11 @@ private:
 
   bool parse_computed_field_option(Options& options)
   {
-    if (m_name == "--align-curvature")
+    if (m_name == "--features")
+      options.features = value();
+    else if (m_name == "--feature-angle")
+      options.feature_angle = positive_number(value(), 180);
+    else if (m_name == "--align-curvature")
       options.curvature_alignment = number(value());
     else if (m_name == "--cone-energy")
       options.cone_energy = number(value());
@@ -198,6 +208,8 @@ private:
       parse_flag(options.has_corners, false);
     else if (m_name == "--align-boundary")
       parse_flag(options.is_border_aligned);
+    else if (m_name == "--scale")
+      options.scale_policy = scale_policy(value());
     else if (m_name == "--tolerance-residual")
       options.residual_tolerance = positive_number(value(), 1);
     else if (m_name == "--max-iterations")
@@ -237,6 +249,14 @@ private:
     }
     fail(text, "one of " + list);
     return 0;
+  }
+
+  CGAL::T_splines::Scale_policy scale_policy(const std::string& text)
+  {
+    using Policy = CGAL::T_splines::Scale_policy;
+    constexpr std::array<Policy, 4> policies = {Policy::UNIT_IF_CONSTRAINED, Policy::AS_IS, Policy::UNIT,
+                                                Policy::DYADIC};
+    return policies[choice(text, {"auto", "as-is", "unit", "dyadic"})];
   }
 
   template <typename Integer>

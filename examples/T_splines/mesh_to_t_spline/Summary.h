@@ -239,6 +239,42 @@ inline void print_holes(std::ostream& out, const Hole_figures& holes)
   out << "\n";
 }
 
+/// The features, and what became of them.
+inline void print_features(std::ostream& out, const Figures::Features& features)
+{
+  out << "  features    " << features.edges << " edges " << features.source << " in " << features.arcs << " arcs";
+  if (features.closed_arcs > 0)
+    out << " (" << features.closed_arcs << " closed)";
+  out << ", " << features.corners << (features.corners == 1 ? " corner" : " corners");
+  if (features.added_faces > 0)
+    out << "; " << features.added_faces << " more faces at them";
+  if (!features.soft_edges.empty())
+    out << "; " << features.soft_edges.size() << " edges that the field cannot follow, the first one from vertex "
+        << features.soft_edges.front().first << " to " << features.soft_edges.front().second;
+  out << "\n";
+  if (features.edges_of_map > 0 && features.edges_not_met > 0)
+    out << "              " << features.edges_not_met << " of " << features.edges_of_map
+        << " edges in the map are not met: no isolines without turning triangles over\n";
+  else if (features.edges_of_map > 0)
+    out << "              all " << features.edges_of_map << " edges in the map lie on isolines, exactly\n";
+  else
+    out << "              not met: the map could not be aligned\n";
+}
+
+/// How the map was aligned.
+inline void print_alignment(std::ostream& out, const Figures::Alignment& alignment)
+{
+  out << std::setprecision(3) << "  alignment   ";
+  if (!alignment.is_aligned) {
+    out << alignment.status << "\n";
+    return;
+  }
+  out << "isolines are off the field by " << alignment.mean << " degrees in the mean (before " << alignment.mean_before
+      << ", rotated " << alignment.mean_rotated << "), by " << alignment.most << " on 5 % of the area; "
+      << alignment.steps << " steps, distortion " << alignment.mean_distortion << " in the mean, "
+      << alignment.largest_distortion << " at most\n";
+}
+
 /// What the user reads at the end.
 inline void print_summary(std::ostream& out, const Figures& figures)
 {
@@ -251,6 +287,8 @@ inline void print_summary(std::ostream& out, const Figures& figures)
   out << "\n";
   if (figures.input.holes)
     print_holes(out, *figures.input.holes);
+  if (figures.features)
+    print_features(out, *figures.features);
   print_signature(out, figures.signature);
   if (figures.map) {
     const Map_figures& map = *figures.map;
@@ -260,6 +298,8 @@ inline void print_summary(std::ostream& out, const Figures& figures)
     out << "  refinement  " << figures.refined.vertices << " vertices, " << figures.refined.faces << " faces, "
         << figures.refined.cut_edges << " cut edges\n";
   }
+  if (figures.alignment)
+    print_alignment(out, *figures.alignment);
   print_scales(out, figures.refined.transitions);
   out << "\n";
   if (figures.exact_map)

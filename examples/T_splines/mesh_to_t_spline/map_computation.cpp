@@ -7,9 +7,13 @@
 #include <CGAL/T_splines/Similarity_map/Similarity_map_report.h>
 #include <CGAL/T_splines/named_parameters.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace {
@@ -70,4 +74,56 @@ Failure compute_map(const Options& options, Chosen_spd_solver_traits& solver, Pr
   if (report.success())
     return {};
   return {options.mesh + ": " + approximation.report().reason};
+}
+
+namespace {
+
+void set_alignment_figures(const CGAL::T_splines::Map_alignment_report<Mesh>& report, Figures::Alignment& figures)
+{
+  constexpr double degree = CGAL_PI / 180;
+  figures.status = message(report.status);
+  figures.is_aligned = report.success();
+  figures.mean_before = report.before.mean / degree;
+  figures.mean_rotated = report.rotated.mean / degree;
+  figures.mean = report.after.mean / degree;
+  figures.most_before = report.before.quantile_95 / degree;
+  figures.most_rotated = report.rotated.quantile_95 / degree;
+  figures.most = report.after.quantile_95 / degree;
+  figures.mean_distortion = report.mean_distortion;
+  figures.largest_distortion = report.largest_distortion;
+  figures.largest_scale_before = std::exp(report.largest_log_scale_before);
+  figures.largest_scale = std::exp(report.largest_log_scale_after);
+  figures.steps = report.number_of_steps;
+}
+
+} // namespace
+
+Failure align_map(const Options& options, Chosen_spd_solver_traits& solver, Progress& progress,
+                  Approximation& approximation, std::optional<Figures::Features>& features,
+                  std::optional<Figures::Alignment>& figures)
+{
+  using Policy = CGAL::T_splines::Scale_policy;
+  using Status = CGAL::T_splines::T_spline_approximation_status;
+  const bool changes_scales = options.scale_policy == Policy::UNIT || options.scale_policy == Policy::DYADIC;
+  if (!features && !changes_scales)
+    return {};
+  const bool is_aligned = approximation.align_map(CGAL::T_splines::parameters::scale_policy(options.scale_policy)
+                                                      .visitor(Progress_handle(progress))
+                                                      .sparse_linear_solver(std::ref(solver)));
+  progress.end_stage();
+  set_alignment_figures(approximation.report().alignment, figures.emplace());
+  const Failure failure{options.mesh + ": " + approximation.report().reason, false};
+  if (!is_aligned && (!features || approximation.report().status == Status::INTERRUPTED))
+    return failure;
+  const Mapped& mapped = approximation.mapped_mesh();
+  if (!is_aligned) // the map stays what it was
+    approximation.release_features();
+  if (features) {
+    features->edges_not_met = approximation.report().alignment.edges_not_met.size();
+    for (const Edge e : mapped.mesh().edges())
+      features->edges_of_map += is_aligned && mapped.constrained_edges()[e] ? 1 : 0;
+    if (is_aligned)
+      features->edges_of_map += features->edges_not_met;
+  }
+  return {};
 }

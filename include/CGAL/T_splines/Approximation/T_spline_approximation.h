@@ -5,27 +5,30 @@
 #define CGAL_T_SPLINES_APPROXIMATION_T_SPLINE_APPROXIMATION_H
 
 #include <CGAL/T_splines/Approximation/Mapped_mesh.h>
+#include <CGAL/T_splines/Approximation/Surface_guidance.h>
 #include <CGAL/T_splines/Approximation/Surface_T_mesh.h>
 #include <CGAL/T_splines/Approximation/T_spline_approximation_report.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature.h>
+#include <CGAL/T_splines/Cross_field/compute_feature_aligned_cross_field.h>
 #include <CGAL/T_splines/Cross_field/compute_smooth_cross_field.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cones.h>
 #include <CGAL/T_splines/Cross_field/holonomy_signature_of_cross_field.h>
+#include <CGAL/T_splines/Cross_field/match_cross_field.h>
 #include <CGAL/T_splines/Cross_field/reduce_cones.h>
 #include <CGAL/T_splines/Progress_visitor.h>
+#include <CGAL/T_splines/Similarity_map/align_seamless_map.h>
 #include <CGAL/T_splines/Similarity_map/compute_seamless_similarity_map.h>
+#include <CGAL/T_splines/Similarity_map/cross_field_of_map.h>
 #include <CGAL/T_splines/Similarity_map/make_exactly_seamless.h>
 #include <CGAL/T_splines/Spline/T_spline.h>
 #include <CGAL/T_splines/Spline/fit_adaptive_T_spline.h>
 #include <CGAL/T_splines/internal/converted_number.h>
-#include <CGAL/T_splines/internal/converted_similarity.h>
 #include <CGAL/T_splines/named_parameters.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
@@ -35,7 +38,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <functional>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -80,8 +82,9 @@ auto visitor_and_solver(const NamedParameters& np)
 /// \ingroup PkgTSplinesApproximation
 /// The way from a triangle mesh to a T-spline surface, stage by stage ([CZ17]; [He06] for the fit):
 ///
-/// 1. guidance: a cross field, its holonomy signature, few cones;
-/// 2. the seamless similarity map with this signature, and the exactly seamless map;
+/// 1. guidance: features, a cross field, its holonomy signature, few cones;
+/// 2. the seamless similarity map with this signature, aligned to the field if there are features, and the exactly seamless
+///    map;
 /// 3. the T-mesh with halfedge knots: the motorcycle graph of the map, regularized, with the mesh on its faces;
 /// 4. the fit, which refines the T-mesh.
 ///
@@ -121,8 +124,7 @@ public:
   /// What was done.
   using Report = T_spline_approximation_report<TriangleMesh>;
   /// Face -> a direction of its cross.
-  using Cross_field =
-      typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Kernel::Vector_3>>::const_type;
+  using Cross_field = typename Surface_guidance<TriangleMesh>::Cross_field;
 
   /// \param mesh a triangle mesh, of one or more components; it must outlive this object, unchanged
   explicit T_spline_approximation(const TriangleMesh& mesh)
@@ -134,7 +136,7 @@ public:
   T_spline_approximation(const TriangleMesh& mesh, const Point_map& points)
     : m_mesh(mesh),
       m_points({points}),
-      m_cross_field(get(CGAL::dynamic_face_property_t<Kernel::Vector_3>(), mesh))
+      m_guidance(mesh)
   {
   }
   T_spline_approximation(const T_spline_approximation&) = delete; // results refer to each other
@@ -166,26 +168,64 @@ public:
   /// \name Guidance
   /// @{
 
-  /// computes a cross field and its signature: `compute_smooth_cross_field()`, `holonomy_signature_of_cross_field()`. The
-  /// cones of the field stay, unless `reduce_cones()` follows.
+  /// says which edges of the mesh are features: a computed field follows them, and in the map they lie on isolines. All
+  /// later stages forget their results.
+  /// \param is_feature a model of `ReadablePropertyMap`, edge of the mesh -> `bool`; no face has two edges that are features
+  ///   or on the border: see `refine_at_features()`
+  template <typename EdgeIsFeatureMap>
+  void set_features(const EdgeIsFeatureMap is_feature)
+  {
+    m_guidance = Surface_guidance<TriangleMesh>(m_mesh);
+    m_guidance.set_features(is_feature);
+    forget_map();
+  }
+
+  /// computes a cross field and its signature: `compute_smooth_cross_field()`, or with features
+  /// `compute_feature_aligned_cross_field()`; and `holonomy_signature_of_cross_field()`. The cones of the field stay, unless
+  /// `reduce_cones()` follows.
   template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
   bool compute_cross_field(const NamedParameters& np = CGAL::parameters::default_values())
   {
-    const auto matchings = get(CGAL::dynamic_halfedge_property_t<int>(), m_mesh);
-    m_report.cross_field = compute_smooth_cross_field(m_mesh, m_cross_field,
-                                                      parameters::halfedge_matching_map(matchings, with_points(np)));
-    if (m_report.cross_field.status == Smooth_cross_field_status::INVALID_CORNERS)
-      m_report.signature = m_report.cross_field.corners;
-    return ended(m_report.cross_field, m_report.cross_field.mesh, Status::INVALID_SIGNATURE) &&
-           use_cross_field(m_cross_field, parameters::halfedge_matching_map(matchings, np));
+    const auto with_matchings = parameters::halfedge_matching_map(m_guidance.matchings(), with_points(np));
+    bool is_computed = false;
+    if (m_guidance.has_features()) {
+      m_report.feature_field =
+          compute_feature_aligned_cross_field(m_mesh, m_guidance.features(), m_guidance.cross_field(), with_matchings);
+      if (m_report.feature_field.status == Feature_aligned_field_status::INVALID_CORNERS)
+        m_report.signature = m_report.feature_field.corners;
+      is_computed = ended(m_report.feature_field, m_report.feature_field.mesh, Status::INVALID_SIGNATURE);
+    }
+    else {
+      m_report.cross_field = compute_smooth_cross_field(m_mesh, m_guidance.cross_field(), with_matchings);
+      if (m_report.cross_field.status == Smooth_cross_field_status::INVALID_CORNERS)
+        m_report.signature = m_report.cross_field.corners;
+      is_computed = ended(m_report.cross_field, m_report.cross_field.mesh, Status::INVALID_SIGNATURE);
+    }
+    return is_computed && use_own_field(np);
   }
 
-  /// takes the signature of a given field: `holonomy_signature_of_cross_field()`.
+  /// takes a given field and its signature: `holonomy_signature_of_cross_field()`.
   template <typename CrossFieldMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   bool use_cross_field(const CrossFieldMap field, const NamedParameters& np = CGAL::parameters::default_values())
   {
+    using CGAL::parameters::get_parameter;
     Signature signature;
-    return set_checked(holonomy_signature_of_cross_field(m_mesh, field, signature, with_points(np)), signature);
+    if (!set_checked(holonomy_signature_of_cross_field(m_mesh, field, signature, with_points(np)), signature, true))
+      return false;
+    for (const auto f : CGAL::make_range(faces(m_mesh))) {
+      const auto& d = get(field, f);
+      put(m_guidance.cross_field(), f,
+          Kernel::Vector_3(CGAL::to_double(d.x()), CGAL::to_double(d.y()), CGAL::to_double(d.z())));
+    }
+    const auto given = get_parameter(np, np_tags::halfedge_matching_map);
+    if constexpr (internal::is_missing<decltype(given)>)
+      match_cross_field(m_mesh, m_guidance.cross_field(), m_guidance.matchings(),
+                        with_points(CGAL::parameters::default_values()));
+    else
+      for (const auto h : CGAL::make_range(halfedges(m_mesh))) // those of the halfedges of edges are read
+        put(m_guidance.matchings(), h,
+            h == halfedge(edge(h, m_mesh), m_mesh) ? get(given, h) : -get(given, opposite(h, m_mesh)));
+    return true;
   }
 
   /// takes cones, and the loops nearest to the metric or with given numbers: `holonomy_signature_of_cones()`.
@@ -193,31 +233,47 @@ public:
   bool use_cones(const ConeRange& cones, const NamedParameters& np = CGAL::parameters::default_values())
   {
     Signature signature;
-    return set_checked(holonomy_signature_of_cones(m_mesh, cones, signature, with_points(np)), signature);
+    return set_checked(holonomy_signature_of_cones(m_mesh, cones, signature, with_points(np)), signature, false);
   }
 
   /// takes a signature as it is; that it is admissible is checked when the map is computed.
   void set_signature(const Signature& signature)
   {
-    m_signature = signature;
+    m_guidance.set_signature(signature, false);
     forget_map();
   }
 
-  /// merges cones: `CGAL::T_splines::reduce_cones()`.
+  /// merges cones: `CGAL::T_splines::reduce_cones()`. With features, those between them, and the field follows; without, the
+  /// field is given up.
   template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
   bool reduce_cones(const NamedParameters& np = CGAL::parameters::default_values())
   {
-    if (!m_signature)
+    if (!m_guidance.has_signature())
       return lacks("a signature");
-    m_report.cone_reduction = CGAL::T_splines::reduce_cones(m_mesh, *m_signature, with_points(np));
     forget_map();
+    if (m_guidance.has_field() && m_guidance.has_features())
+      m_report.cone_reduction = CGAL::T_splines::reduce_cones(
+          m_mesh, m_guidance.signature(),
+          parameters::cross_field_map(
+              m_guidance.cross_field(),
+              parameters::halfedge_matching_map(m_guidance.matchings(),
+                                                with_points(np).edge_is_constrained_map(m_guidance.features()))));
+    else {
+      m_report.cone_reduction = CGAL::T_splines::reduce_cones(m_mesh, m_guidance.signature(), with_points(np));
+      if (m_report.cone_reduction.number_of_merges > 0 || m_report.cone_reduction.number_of_splits > 0 ||
+          m_report.cone_reduction.number_of_loop_turns > 0)
+        m_guidance.forget_field();
+    }
     return ended(m_report.cone_reduction, m_report.cone_reduction.signature.mesh, Status::CONE_REDUCTION_FAILED);
   }
 
   /// returns whether there is a signature.
-  bool has_signature() const { return m_signature.has_value(); }
-  const Signature& signature() const { return *m_signature; }      ///< \pre `has_signature()`
-  const Cross_field& cross_field() const { return m_cross_field; } ///< as `compute_cross_field()` computed it
+  bool has_signature() const { return m_guidance.has_signature(); }
+  const Signature& signature() const { return m_guidance.signature(); } ///< \pre `has_signature()`
+  /// The cross field that was computed or given last.
+  const Cross_field& cross_field() const { return m_guidance.cross_field(); }
+  /// Features, field and signature.
+  const Surface_guidance<TriangleMesh>& guidance() const { return m_guidance; }
 
   /// @}
   /// \name Map
@@ -227,18 +283,54 @@ public:
   template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
   bool compute_map(const NamedParameters& np = CGAL::parameters::default_values())
   {
-    if (!m_signature)
+    if (!m_guidance.has_signature())
       return lacks("a signature");
     forget_map();
     Mapped mapped;
     m_report.map = compute_seamless_similarity_map(
-        m_mesh, *m_signature, mapped.mesh(), mapped.uv(),
+        m_mesh, m_guidance.signature(), mapped.mesh(), mapped.uv(),
         parameters::edge_is_cut_map(mapped.cut(), parameters::vertex_location_map(
                                                       mapped.locations(), parameters::halfedge_transition_map(
                                                                               mapped.transitions(), with_points(np)))));
     if (m_report.map.success())
       m_mapped = std::move(mapped);
+    m_has_transitions = true;
     return ended(m_report.map, m_report.map.signature.mesh, Status::MAP_FAILED);
+  }
+
+  /// aligns the map to the cross field, with the features on isolines: `align_seamless_map()`. If the signature is not that of
+  /// a cross field, the map keeps its directions, and its scale factors change as `scale_policy` says. Features that cannot be
+  /// met are no constrained edges of the mapped mesh any more.
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  bool align_map(const NamedParameters& np = CGAL::parameters::default_values())
+  {
+    if (!m_mapped)
+      return lacks("a map");
+    forget_T_mesh();
+    m_mapped->remove_map();
+    const auto field = get(CGAL::dynamic_face_property_t<Kernel::Vector_3>(), m_mapped->mesh());
+    const auto matchings = get(CGAL::dynamic_halfedge_property_t<int>(), m_mapped->mesh());
+    if (m_guidance.has_field())
+      m_guidance.carry(*m_mapped, field, matchings);
+    else
+      cross_field_of_map(m_mapped->mesh(), m_mapped->uv(), field, parameters::halfedge_matching_map(matchings));
+    m_report.alignment = align_seamless_map(
+        m_mapped->mesh(), field, m_mapped->uv(),
+        parameters::halfedge_matching_map(matchings, np.edge_is_constrained_map(m_mapped->constrained_edges())));
+    for (const auto e : m_report.alignment.edges_not_met)
+      put(m_mapped->constrained_edges(), e, false);
+    m_has_transitions = m_has_transitions && !m_report.alignment.success();
+    return ended(m_report.alignment, Status::ALIGNMENT_FAILED,
+                 [&] { return describe(m_report.alignment, m_mapped->mesh()); });
+  }
+
+  /// says that features need not lie on isolines: to be called where `align_map()` has failed and the map is to be taken as
+  /// it is.
+  void release_features()
+  {
+    if (m_mapped)
+      for (const auto e : m_mapped->mesh().edges())
+        put(m_mapped->constrained_edges(), e, false);
   }
 
   /// takes a map of the mesh itself, up to round-off, and makes it exact: `make_exactly_seamless()`. The mesh may have a
@@ -251,11 +343,9 @@ public:
     using CGAL::parameters::get_parameter;
     forget_map();
     m_mapped.emplace();
-    copy_mesh(uv, get_parameter(np, CGAL::internal_np::edge_is_constrained));
-    if (!make_present_map_exact(np))
-      return false;
-    take_transitions();
-    return true;
+    m_mapped->copy(m_mesh, Points(m_points), uv, get_parameter(np, CGAL::internal_np::edge_is_constrained));
+    m_has_transitions = false;
+    return make_present_map_exact(np);
   }
 
   /// makes the map exactly seamless: `make_exactly_seamless()`. Which edges of the mapped mesh are to lie on isolines,
@@ -279,9 +369,16 @@ public:
   bool compute_exact_map(const NamedParameters& np = CGAL::parameters::default_values())
   {
     const auto common = internal::visitor_and_solver(np);
-    if (!m_signature && !m_mapped && !(compute_cross_field(common) && reduce_cones(common)))
+    const bool is_new = !m_guidance.has_signature() && !m_mapped;
+    if (is_new && !(compute_cross_field(common) && reduce_cones(common)))
       return false;
-    return (m_mapped || compute_map(common)) && make_map_exact(common);
+    if (!m_mapped && !compute_aligned_map(common))
+      return false;
+    if (is_new && m_guidance.has_features() && !m_report.alignment.meets_constraints() &&
+        m_report.cone_reduction.number_of_merges > 0 &&
+        !(compute_cross_field(common) && compute_aligned_map(common))) // with more cones, more features can be met
+      return false;
+    return make_map_exact(common);
   }
 
   /// returns whether there is a map; whether it is exact, `mapped_mesh().has_map()` tells.
@@ -438,11 +535,39 @@ private:
       return describe(report, m_mesh);
   }
 
-  bool set_checked(const Holonomy_signature_report<TriangleMesh>& report, const Signature& signature)
+  // The signature of the cross field that was computed.
+  template <typename NamedParameters>
+  bool use_own_field(const NamedParameters& np)
+  {
+    Signature signature;
+    return set_checked(
+        holonomy_signature_of_cross_field(m_mesh, m_guidance.cross_field(), signature,
+                                          parameters::halfedge_matching_map(m_guidance.matchings(), with_points(np))),
+        signature, true);
+  }
+
+  // With features the map is aligned; if it cannot be, it stays as it is, and has no constrained edges.
+  template <typename NamedParameters>
+  bool compute_aligned_map(const NamedParameters& np)
+  {
+    if (!compute_map(np) || !m_guidance.has_features() || !m_guidance.has_field())
+      return m_mapped.has_value();
+    if (!align_map(np)) {
+      if (m_report.status == Status::INTERRUPTED)
+        return false;
+      release_features();
+    }
+    return succeed();
+  }
+
+  bool set_checked(const Holonomy_signature_report<TriangleMesh>& report, const Signature& signature,
+                   const bool is_that_of_field)
   {
     m_report.signature = report;
-    if (report.success())
-      set_signature(signature);
+    if (report.success()) {
+      m_guidance.set_signature(signature, is_that_of_field);
+      forget_map();
+    }
     return ended(report, report.mesh, Status::INVALID_SIGNATURE);
   }
 
@@ -472,52 +597,18 @@ private:
                                                np.edge_is_constrained_map(m_mapped->constrained_edges()));
     if (!m_report.exact_map.success())
       m_mapped->remove_map();
+    else if (!m_has_transitions)
+      m_mapped->take_transitions();
     return ended(m_report.exact_map, Status::EXACT_MAP_FAILED,
                  [&] { return describe(m_report.exact_map, m_mapped->mesh()); });
   }
 
-  // The mesh as it is becomes the mapped one.
-  template <typename HalfedgeUVMap, typename EdgeIsConstrainedMap>
-  void copy_mesh(const HalfedgeUVMap uv, const EdgeIsConstrainedMap& is_constrained)
-  {
-    using Source = boost::graph_traits<TriangleMesh>;
-    using Target = boost::graph_traits<typename Mapped::Mesh>;
-    std::vector<std::pair<typename Source::halfedge_descriptor, typename Target::halfedge_descriptor>> halfedges;
-    CGAL::copy_face_graph(m_mesh, m_mapped->mesh(),
-                          CGAL::parameters::vertex_point_map(Points(m_points))
-                              .halfedge_to_halfedge_output_iterator(std::back_inserter(halfedges)));
-    if constexpr (!internal::is_missing<EdgeIsConstrainedMap>)
-      for (const auto& [from, to] : halfedges)
-        put(m_mapped->constrained_edges(), m_mapped->mesh().edge(to), get(is_constrained, edge(from, m_mesh)));
-    for (const auto& [from, to] : halfedges)
-      if (!is_border(from, m_mesh)) {
-        const auto& p = get(uv, from);
-        put(m_mapped->uv(), to, Kernel::Point_2(CGAL::to_double(p.x()), CGAL::to_double(p.y())));
-        typename Mapped::Location location(face(from, m_mesh), {{0, 0, 0}});
-        const auto first = halfedge(location.first, m_mesh);
-        location.second[from == first ? 1 : from == next(first, m_mesh) ? 2 : 0] = 1;
-        put(m_mapped->locations(), target(to, m_mapped->mesh()), location);
-      }
-  }
-
-  // What a map that was given does not tell.
-  void take_transitions()
-  {
-    const typename Mapped::Mesh& mesh = m_mapped->mesh();
-    for (const auto e : mesh.edges()) {
-      put(m_mapped->cut(), e, m_mapped->map().is_cut(e));
-      for (const auto h : {mesh.halfedge(e), mesh.opposite(mesh.halfedge(e))}) {
-        put(m_mapped->transitions(), h, internal::converted_similarity<double>(m_mapped->map().transition(h)));
-      }
-    }
-  }
-
   const TriangleMesh& m_mesh;
   internal::Point_in_doubles<Point_map> m_points;
-  Cross_field m_cross_field;
+  Surface_guidance<TriangleMesh> m_guidance;
   std::optional<Data_map> m_is_data; // all, if there is none
-  std::optional<Signature> m_signature;
   std::optional<Mapped> m_mapped;
+  bool m_has_transitions = false; // `m_mapped` has those of its map, before that is exact
   std::optional<Placed_T_mesh> m_t_mesh;
   Report m_report;
 };

@@ -7,8 +7,10 @@
 #include <CGAL/T_splines/Cross_field/Cone_reduction_report.h>
 #include <CGAL/T_splines/Cross_field/Holonomy_signature_report.h>
 #include <CGAL/T_splines/Cross_field/check_triangle_mesh.h>
+#include <CGAL/T_splines/Cross_field/compute_feature_aligned_cross_field.h>
 #include <CGAL/T_splines/Cross_field/compute_smooth_cross_field.h>
 #include <CGAL/T_splines/Similarity_map/Exact_map_report.h>
+#include <CGAL/T_splines/Similarity_map/Map_alignment_report.h>
 #include <CGAL/T_splines/Similarity_map/Similarity_map_report.h>
 #include <CGAL/T_splines/Spline/Adaptive_fit_report.h>
 #include <CGAL/T_splines/T_mesh/regularize_T_mesh.h>
@@ -31,6 +33,7 @@ enum class T_spline_approximation_status {
   INVALID_SIGNATURE,     ///< the field, the cones or the signature given fit no map: see `signature`
   CONE_REDUCTION_FAILED, ///< the cones could not be merged as asked for: see `cone_reduction`
   MAP_FAILED,            ///< there is no seamless map: see `map`
+  ALIGNMENT_FAILED,      ///< the map could not be aligned: see `alignment`
   EXACT_MAP_FAILED,      ///< the map cannot be made exactly seamless: see `exact_map`
   TRACING_FAILED,        ///< there is no T-mesh: see `motorcycle_graph`
   PLACEMENT_FAILED,      ///< the T-mesh does not lie on the surface
@@ -49,6 +52,7 @@ inline const char* message(const T_spline_approximation_status status)
   case T_spline_approximation_status::INVALID_SIGNATURE: return "the holonomy signature is not admissible";
   case T_spline_approximation_status::CONE_REDUCTION_FAILED: return "the cones could not be merged";
   case T_spline_approximation_status::MAP_FAILED: return "there is no seamless map";
+  case T_spline_approximation_status::ALIGNMENT_FAILED: return "the map could not be aligned to the cross field";
   case T_spline_approximation_status::EXACT_MAP_FAILED: return "the map cannot be made exactly seamless";
   case T_spline_approximation_status::TRACING_FAILED: return "there is no T-mesh";
   case T_spline_approximation_status::PLACEMENT_FAILED: return "the T-mesh does not lie on the surface";
@@ -69,11 +73,13 @@ struct T_spline_approximation_report {
 
   T_spline_approximation_status status = T_spline_approximation_status::SUCCESS; ///< how it ended
   std::string reason; ///< of a failure: what the report of the stage says, with the elements concerned
-  Triangle_mesh_report<TriangleMesh> mesh;             ///< INVALID_MESH: what is wrong with it
-  Smooth_cross_field_report<TriangleMesh> cross_field; ///< of the computed field
-  Holonomy_signature_report<TriangleMesh> signature;   ///< of the field's signature, or of that of given cones
-  Cone_reduction_report<TriangleMesh> cone_reduction;  ///< of the merges of cones
-  Similarity_map_report<TriangleMesh> map;             ///< of the seamless map
+  Triangle_mesh_report<TriangleMesh> mesh;                  ///< INVALID_MESH: what is wrong with it
+  Smooth_cross_field_report<TriangleMesh> cross_field;      ///< of the computed field
+  Feature_aligned_field_report<TriangleMesh> feature_field; ///< of the computed field, where there are features
+  Holonomy_signature_report<TriangleMesh> signature;        ///< of the field's signature, or of that of given cones
+  Cone_reduction_report<TriangleMesh> cone_reduction;       ///< of the merges of cones
+  Similarity_map_report<TriangleMesh> map;                  ///< of the seamless map
+  Map_alignment_report<Graph> alignment;               ///< of the map that follows the field, where there are features
   Exact_map_report<Graph> exact_map;                   ///< of the exactly seamless map
   Motorcycle_graph_report motorcycle_graph;            ///< of the T-mesh as traced
   T_mesh_regularization_report regularization;         ///< of the T-mesh with squarer faces
