@@ -261,14 +261,16 @@ private:
     Linear_parameters space(rows.number_of_unknowns());
     space.add(m_changes_scales ? rows.translation_equations() : rows.seam_equations());
     space.add(rows.isoline_equations(met));
-    if (!m_changes_scales && open.empty())
-      return minimize_in(space, energy, space.unknowns(space.parameters(x)), x);
+    if (!m_changes_scales && open.empty()) {
+      x = space.unknowns(space.parameters(x)); // but for round-off it is there already
+      return minimize_in(space, energy, true, x);
+    }
     if (!approach(rows, space, open, energy, x))
       return false;
     Linear_parameters all(rows.number_of_unknowns());
     all.add(rows.seam_equations());
     all.add(rows.isoline_equations(m_edges));
-    return minimize_in(all, energy, x, x);
+    return minimize_in(all, energy, false, x);
   }
 
   // \param x where they are off
@@ -302,17 +304,17 @@ private:
     return true;
   }
 
-  // The minimum in the space of the equations: from the point next to `start` on.
-  bool minimize_in(const Linear_parameters& space, const Alignment_energy& energy, const std::vector<double>& start,
+  // The minimum in the space of the equations. \param is_in_space whether `x` satisfies them; else the next point does
+  bool minimize_in(const Linear_parameters& space, const Alignment_energy& energy, const bool is_in_space,
                    std::vector<double>& x)
   {
     constexpr double tolerance = 1e-6;
     constexpr int most_steps = 100;
     Projected_newton<SolverTraits> newton(energy, space, m_solver, m_progress);
-    if (!newton.project(start, x))
+    if (!is_in_space && !newton.project(x))
       return fail(Map_alignment_status::SOLVER_FAILED);
     if (!std::isfinite(energy.value(x)))
-      return fail(Map_alignment_status::SCALES_NOT_MET);
+      return fail(has_inner_edges() ? Map_alignment_status::CONSTRAINTS_NOT_MET : Map_alignment_status::SCALES_NOT_MET);
     const Minimization_end end = newton.minimize(x, tolerance, most_steps);
     m_figures.number_of_steps += newton.number_of_steps();
     return end != Minimization_end::SOLVER_FAILED || fail(Map_alignment_status::SOLVER_FAILED);
@@ -342,6 +344,7 @@ private:
     bool is_near = false, is_hopeless = false;
     for (double factor = first; factor <= last && !is_near && !is_hopeless; factor *= growth) {
       set_penalties(factor);
+      newton.forget_factorization();
       if (newton.minimize(x, tolerance, most_steps) == Minimization_end::SOLVER_FAILED)
         return fail(Map_alignment_status::SOLVER_FAILED);
       const double before = off_isolines;

@@ -162,6 +162,9 @@ public:
 
   int number_of_steps() const { return m_number_of_steps; }
 
+  /// says that the energy has changed so much that a factorization of before does not help.
+  void forget_factorization() { m_is_factorized = false; }
+
   /// \param x unknowns in the space, without a triangle that is turned over; receives the minimum
   /// \param tolerance of the decrease that the next step promises, by the energy
   Minimization_end minimize(std::vector<double>& x, const double tolerance, const int most_steps)
@@ -175,7 +178,7 @@ public:
       std::vector<double> right = m_space.derivatives(gradient);
       for (double& r : right)
         r = -r;
-      if (!solve(right, step == 0, z))
+      if (!solve(right, z))
         return Minimization_end::SOLVER_FAILED;
       ++m_number_of_steps;
       double slope = 0;
@@ -189,39 +192,46 @@ public:
     return Minimization_end::STEP_LIMIT;
   }
 
-  /// The point of the space that is nearest to x in the metric of the Hessian there.
-  bool project(const std::vector<double>& x, std::vector<double>& projected)
+  /// Replaces x by the point of the space that is nearest to it in the metric of the Hessian there: an orthogonal projection
+  /// turns thin triangles over.
+  bool project(std::vector<double>& x)
   {
-    // Of the quadratic model at x, about which x itself is best: y minimizes (y - x)^T H (y - x).
-    std::vector<double> gradient, z, start = m_space.unknowns(m_space.parameters(x)), difference(x.size()), product;
     if (!m_is_ready)
       return false;
+    std::vector<double> gradient, z, difference(x.size()), product;
+    const std::vector<double> start = m_space.unknowns(m_space.parameters(x));
     m_hessian.compute(x, gradient);
     for (std::size_t i = 0; i < x.size(); ++i)
       difference[i] = x[i] - start[i];
     multiply(x, difference, product);
-    if (!factorize(m_solver, m_hessian.matrix(), m_progress) || !m_solver.solve(m_space.derivatives(product), z))
+    if (!solve_exactly(m_space.derivatives(product), z))
       return false;
-    projected = m_space.unknowns(z);
+    x = m_space.unknowns(z);
     for (std::size_t i = 0; i < x.size(); ++i)
-      projected[i] += start[i];
+      x[i] += start[i];
     return true;
   }
 
 private:
+  bool solve_exactly(const std::vector<double>& right, std::vector<double>& z)
+  {
+    m_is_factorized = factorize(m_solver, m_hessian.matrix(), m_progress);
+    return m_is_factorized && m_solver.solve(right, z);
+  }
+
   // Solves for the step: by conjugate gradients with the last factorization, as long as that is near enough.
-  bool solve(const std::vector<double>& right, const bool is_new, std::vector<double>& z)
+  bool solve(const std::vector<double>& right, std::vector<double>& z)
   {
     constexpr int most_iterations = 20; // together they take less time than a factorization
     constexpr double enough = 1e-4;     // of the right-hand side: penalties are stiff
-    if (!is_new) {
+    if (m_is_factorized) {
       const int iterations = preconditioned_conjugate_gradients(
           m_hessian.matrix(), Interruptible_preconditioner<SolverTraits>(m_solver, m_progress), right, z, enough,
           most_iterations + 1, m_workspace);
       if (iterations <= most_iterations)
         return !m_progress.is_interrupted();
     }
-    return factorize(m_solver, m_hessian.matrix(), m_progress) && m_solver.solve(right, z);
+    return solve_exactly(right, z);
   }
 
   // Makes the longest step that keeps nine tenths of the way to the first degenerate triangle, and lowers the energy.
@@ -265,7 +275,7 @@ private:
   Alignment_hessian m_hessian;
   SolverTraits& m_solver;
   Progress& m_progress;
-  bool m_is_ready;
+  bool m_is_ready, m_is_factorized = false;
   Conjugate_gradients_workspace<double> m_workspace;
   int m_number_of_steps = 0;
 };
