@@ -242,7 +242,8 @@ inline void print_holes(std::ostream& out, const Hole_figures& holes)
 /// The features, and what became of them.
 inline void print_features(std::ostream& out, const Figures::Features& features)
 {
-  out << "  features    " << features.edges << " edges " << features.source << " in " << features.arcs << " arcs";
+  out << "  features    " << features.edges << " edges " << features.source << " in " << features.arcs
+      << (features.arcs == 1 ? " arc" : " arcs");
   if (features.closed_arcs > 0)
     out << " (" << features.closed_arcs << " closed)";
   out << ", " << features.corners << (features.corners == 1 ? " corner" : " corners");

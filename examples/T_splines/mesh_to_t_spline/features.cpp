@@ -9,6 +9,9 @@
 #include <CGAL/T_splines/IO/read_features.h>
 #include <CGAL/T_splines/named_parameters.h>
 
+#include <filesystem>
+#include <string>
+
 namespace {
 
 constexpr const char* feature_map_name = "e:is_feature";
@@ -41,7 +44,8 @@ Failure find_features(const Options& options, Progress& progress, Mesh& mesh, st
     return {};
   progress.end_stage();
   figures.emplace();
-  figures->source = options.features.empty() ? "by angle" : options.features;
+  figures->source =
+      options.features.empty() ? "by angle" : "from " + std::filesystem::path(options.features).filename().string();
   figures->edges = static_cast<std::size_t>(found.number_of_edges);
   figures->arcs = static_cast<std::size_t>(found.number_of_arcs);
   figures->closed_arcs = static_cast<std::size_t>(found.number_of_loops);

@@ -58,7 +58,7 @@ TEST_CASE("features come from a file")
   const Program_run run("'" + mesh + "' --features '" + features + "' --no-spline -o '" + output + "'");
   INFO(run.errors);
   REQUIRE(run.exit_code == 0);
-  CHECK(contains(run.output, "in 1 arcs"));
+  CHECK(contains(run.output, "edges from features.txt in 1 arc,"));
 }
 
 TEST_CASE("features that are refused are named, with the file, and nothing is written")
