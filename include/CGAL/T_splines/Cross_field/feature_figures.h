@@ -4,7 +4,7 @@
 #ifndef CGAL_T_SPLINES_CROSS_FIELD_FEATURE_FIGURES_H
 #define CGAL_T_SPLINES_CROSS_FIELD_FEATURE_FIGURES_H
 
-#include <CGAL/T_splines/Cross_field/internal/Feature_arcs.h>
+#include <CGAL/T_splines/Cross_field/support/Feature_arcs.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>

@@ -165,6 +165,9 @@ bool reduce_cones_and_field(const Signature_domain<TriangleMesh>& domain, const 
   constexpr bool has_field = has_cross_field_map<NamedParameters>;
   const Cone_reduction_report<TriangleMesh> before = report;
   Cone_regions regions(domain, np);
+  std::optional<Moved_field> field;
+  if constexpr (has_field)
+    field.emplace(domain, regions, np);
   while (!progress.is_interrupted()) {
     Cone_paths paths(domain.m_connectivity, regions.edge_lengths(), vertices, strips, progress);
     Cone_reduction<ScaleEnergy, Cone_paths> reduction(
@@ -176,13 +179,12 @@ bool reduce_cones_and_field(const Signature_domain<TriangleMesh>& domain, const 
     if (progress.is_interrupted())
       break;
     if constexpr (has_field) {
-      Moved_field field(domain, regions, np);
-      if (!field.compute(reduction.moves(), paths, solver, progress))
+      if (!field->compute(reduction.moves(), paths, solver, progress))
         return progress.is_interrupted();
-      const std::vector<int> overturned = field.overturned_edges();
+      const std::vector<int> overturned = field->overturned_edges();
       if (!overturned.empty() && regions.separate(domain.m_connectivity, overturned, vertices))
         continue;
-      field.write(domain, np);
+      field->write(domain, np);
     }
     signature = std::move(reduced);
     break;

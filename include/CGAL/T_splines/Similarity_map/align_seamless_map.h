@@ -79,24 +79,6 @@ void fill_report(const Mesh_indexing<TriangleMesh>& indexing, const Map_alignmen
     report.edges_not_met.push_back(edge(indexing.halfedge(halfedge_of_edge(e)), indexing.graph()));
 }
 
-/// Whether all coordinates are finite and all triangles positively oriented.
-template <typename TriangleMesh>
-bool check_map_triangles(const Mesh_indexing<TriangleMesh>& indexing, const Triangulation_connectivity& mesh,
-                         const Uv_array& uv, Map_alignment_report<TriangleMesh>& report)
-{
-  for (int f = 0; f < mesh.number_of_faces(); ++f) {
-    const int h = mesh.halfedge_of_face(f), j = mesh.next(h), k = mesh.next(j);
-    bool is_finite = true;
-    for (const int corner : {h, j, k})
-      is_finite = is_finite && std::isfinite(uv[corner][0]) && std::isfinite(uv[corner][1]);
-    if (!is_finite || uv_orientation(uv[h], uv[j], uv[k]) != CGAL::POSITIVE)
-      report.faces.push_back(indexing.face(f));
-  }
-  if (!report.faces.empty())
-    report.status = Map_alignment_status::FLIPPED_TRIANGLES;
-  return report.faces.empty();
-}
-
 } // namespace internal
 
 /// \ingroup PkgTSplinesSimilarityMap
@@ -214,8 +196,12 @@ Map_alignment_report<TriangleMesh> align_seamless_map(const TriangleMesh& mesh, 
   const internal::Mesh_indexing<TriangleMesh> indexing(mesh);
   const internal::Triangulation_connectivity connectivity = internal::triangulation_connectivity(indexing);
   internal::Uv_array uv = internal::uv_array(indexing, uv_map);
-  if (!internal::check_map_triangles(indexing, connectivity, uv, report))
+  for (const int f : internal::faces_not_positive(connectivity, uv))
+    report.faces.push_back(indexing.face(f));
+  if (!report.faces.empty()) {
+    report.status = Map_alignment_status::FLIPPED_TRIANGLES;
     return report;
+  }
   const double tolerance =
       choose_parameter(get_parameter(np, np_tags::transition_tolerance), internal::decimal_tolerance(uv));
   const internal::Open_map map(connectivity, std::move(uv), tolerance);

@@ -17,17 +17,6 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// The angle between the normals of the two faces of an edge, positive where the surface is convex.
-inline double dihedral_angle(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry, const int e)
-{
-  const int h = halfedge_of_edge(e), f = mesh.face(h), g = mesh.face(opposite(h));
-  if (f == Triangulation_connectivity::null || g == Triangulation_connectivity::null)
-    return 0;
-  const Triangle_geometry::Vector_3 axis = geometry.m_edge_vector[e] / geometry.m_edge_length[e];
-  return std::atan2(CGAL::cross_product(geometry.m_normal[g], geometry.m_normal[f]) * axis,
-                    geometry.m_normal[f] * geometry.m_normal[g]);
-}
-
 /// computes, per vertex and in its frame, the cross of the principal curvature directions as a fourth power.
 ///
 /// The tensor is that of Cohen-Steiner and Morvan (Restricted Delaunay triangulations and normal cycle, 2003), summed over

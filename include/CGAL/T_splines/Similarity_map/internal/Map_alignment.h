@@ -4,12 +4,12 @@
 #ifndef CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_MAP_ALIGNMENT_H
 #define CGAL_T_SPLINES_SIMILARITY_MAP_INTERNAL_MAP_ALIGNMENT_H
 
+#include <CGAL/T_splines/Cross_field/support/Feature_arcs.h>
 #include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
 #include <CGAL/T_splines/Cross_field/support/field_rotations.h>
 #include <CGAL/T_splines/Similarity_map/Map_alignment_report.h>
 #include <CGAL/T_splines/Similarity_map/internal/Alignment_energy.h>
 #include <CGAL/T_splines/Similarity_map/internal/Alignment_rows.h>
-#include <CGAL/T_splines/Similarity_map/internal/Constrained_arcs.h>
 #include <CGAL/T_splines/Similarity_map/internal/Field_in_map.h>
 #include <CGAL/T_splines/Similarity_map/internal/Open_map.h>
 #include <CGAL/T_splines/Similarity_map/internal/Projected_newton.h>
@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -167,12 +168,15 @@ private:
       turn[c] = -field.mean(c);
     for (const Isoline_edge& edge : m_edges)
       turn[components.of_face[m_mesh.face(edge.halfedge)]] = 0;
+    std::vector<Plane_matrix> rotation;
+    for (const double angle : turn)
+      rotation.push_back(Plane_matrix::rotation_by(angle));
     m_angle.resize(m_mesh.number_of_faces());
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f)
       m_angle[f] = field[f] + turn[components.of_face[f]];
     for (Index h = 0; h < m_mesh.number_of_halfedges(); ++h)
       if (m_mesh.face(h) != m_mesh.null && turn[components.of_face[m_mesh.face(h)]] != 0) {
-        const Plane_matrix r = Plane_matrix::rotation_by(turn[components.of_face[m_mesh.face(h)]]);
+        const Plane_matrix& r = rotation[components.of_face[m_mesh.face(h)]];
         m_uv[h] = {{r.a * m_uv[h][0] + r.b * m_uv[h][1], r.c * m_uv[h][0] + r.d * m_uv[h][1]}};
       }
   }
@@ -273,34 +277,43 @@ private:
     return minimize_in(all, energy, false, x);
   }
 
-  // \param x where they are off
+  // The arc that turns least, by the integral of the angle between its two sides. \param x where they are off
   bool give_up_an_arc(const Alignment_rows& rows, const std::vector<double>& x)
   {
     constexpr double clearly = 0.1; // by the largest angle: the others are dragged along
     std::vector<char> is_constrained(m_mesh.number_of_edges(), 0);
+    std::vector<double> off(m_mesh.number_of_edges(), 0.);
     double largest = 0;
     for (const Isoline_edge& edge : m_edges) {
       is_constrained[edge_of(edge.halfedge)] = 1;
-      largest = std::max(largest, rows.misalignment(edge, x));
+      off[edge_of(edge.halfedge)] = rows.misalignment(edge, x);
+      largest = std::max(largest, off[edge_of(edge.halfedge)]);
     }
-    const Constrained_arcs arcs(m_mesh, m_geometry, is_constrained);
-    int weakest = arcs.none;
-    for (const Isoline_edge& edge : m_edges) {
-      const int arc = arcs.of_edge(edge_of(edge.halfedge));
-      if (rows.misalignment(edge, x) > clearly * largest && std::isfinite(arcs.weight(arc)) &&
-          (weakest == arcs.none || arcs.weight(arc) < arcs.weight(weakest)))
-        weakest = arc;
+    const Feature_arcs graph(m_mesh, is_constrained);
+    const Feature_arcs::Arc* weakest = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Feature_arcs::Arc& arc : graph.arcs()) {
+      if (std::none_of(arc.halfedges.begin(), arc.halfedges.end(),
+                       [&](const Index h) { return off[edge_of(h)] > clearly * largest; }))
+        continue;
+      double turn = 0;
+      for (const Index h : arc.halfedges)
+        turn += m_geometry.m_edge_length[edge_of(h)] * std::abs(dihedral_angle(m_mesh, m_geometry, edge_of(h)));
+      if (turn < least) {
+        least = turn;
+        weakest = &arc;
+      }
     }
-    if (weakest == arcs.none)
+    if (weakest == nullptr)
       return false;
-    std::vector<Isoline_edge> kept;
-    for (const Isoline_edge& edge : m_edges) {
-      if (arcs.of_edge(edge_of(edge.halfedge)) == weakest)
+    for (const Index h : weakest->halfedges)
+      is_constrained[edge_of(h)] = 0;
+    for (const Isoline_edge& edge : m_edges)
+      if (is_constrained[edge_of(edge.halfedge)] == 0)
         m_figures.edges_not_met.push_back(edge_of(edge.halfedge));
-      else
-        kept.push_back(edge);
-    }
-    m_edges = std::move(kept);
+    m_edges.erase(std::remove_if(m_edges.begin(), m_edges.end(),
+                                 [&](const Isoline_edge& edge) { return is_constrained[edge_of(edge.halfedge)] == 0; }),
+                  m_edges.end());
     return true;
   }
 
@@ -377,11 +390,7 @@ private:
   bool finish(const Alignment_energy& energy, const std::vector<double>& x)
   {
     m_map.open().write(x, m_uv);
-    for (Index f = 0; f < m_mesh.number_of_faces(); ++f) {
-      const Index h = m_mesh.halfedge_of_face(f), j = m_mesh.next(h);
-      if (uv_orientation(m_uv[h], m_uv[j], m_uv[m_mesh.next(j)]) != CGAL::POSITIVE)
-        m_figures.faces.push_back(f);
-    }
+    m_figures.faces = faces_not_positive(m_mesh, m_uv);
     m_figures.after = misalignment([&](const Index f) { return energy.deformation(f, x).rotation(); });
     for (Index f = 0; f < m_mesh.number_of_faces(); ++f) {
       const double distortion = Plane_distortion::symmetric_dirichlet(energy.deformation(f, x));

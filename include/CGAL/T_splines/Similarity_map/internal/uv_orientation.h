@@ -36,6 +36,22 @@ inline CGAL::Orientation uv_orientation(const std::array<double, 2>& a, const st
   return CGAL::orientation(Kernel::Point_2(a[0], a[1]), Kernel::Point_2(b[0], b[1]), Kernel::Point_2(c[0], c[1]));
 }
 
+/// The faces with coordinates that are not finite, or that are not positively oriented. \param uv per halfedge
+inline std::vector<int> faces_not_positive(const Triangulation_connectivity& mesh,
+                                           const std::vector<std::array<double, 2>>& uv)
+{
+  std::vector<int> result;
+  for (int f = 0; f < mesh.number_of_faces(); ++f) {
+    const int h = mesh.halfedge_of_face(f), j = mesh.next(h), k = mesh.next(j);
+    bool is_finite = true;
+    for (const int corner : {h, j, k})
+      is_finite = is_finite && std::isfinite(uv[corner][0]) && std::isfinite(uv[corner][1]);
+    if (!is_finite || uv_orientation(uv[h], uv[j], uv[k]) != CGAL::POSITIVE)
+      result.push_back(f);
+  }
+  return result;
+}
+
 /// The orientation in a layout of the face of `h`, exactly; for an inexact number type, of its corners as they are
 /// stored.
 template <typename FT>

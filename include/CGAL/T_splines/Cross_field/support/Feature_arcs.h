@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_FEATURE_ARCS_H
-#define CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_FEATURE_ARCS_H
+#ifndef CGAL_T_SPLINES_CROSS_FIELD_SUPPORT_FEATURE_ARCS_H
+#define CGAL_T_SPLINES_CROSS_FIELD_SUPPORT_FEATURE_ARCS_H
 
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
@@ -105,4 +105,4 @@ private:
 } // namespace T_splines
 } // namespace CGAL
 
-#endif // CGAL_T_SPLINES_CROSS_FIELD_INTERNAL_FEATURE_ARCS_H
+#endif // CGAL_T_SPLINES_CROSS_FIELD_SUPPORT_FEATURE_ARCS_H
