@@ -8,9 +8,9 @@
 The concept `TMesh` describes a T-mesh with halfedge knots ([CZ17] section 4): a graph, the knot interval of each halfedge
 in the units of its face, and where the faces have their corners.
 
-A model may also know which of its edges are *constrained*, sharp features for instance: with the type `Constrained_edge_map`, a
-property map, edge -> `bool`, and the member `constrained_edges()`, which returns one. Without, no edge is constrained. Operations
-that change the T-mesh neither remove such an edge nor move it to its side; its parts are constrained, too, and new edges are not.
+A model may also know which of its edges are *creases*, along which the surface is sharp: with the type `Crease_map`, a
+property map, edge -> `bool`, and the member `creases()`, which returns one. Without, no edge is a crease, nor is one on the border.
+Operations that change the T-mesh neither remove a crease nor move it to its side; its parts are creases, too, and new edges are not.
 
 The functions that change a T-mesh take it by a forwarding reference, so that a view may be made where it is needed. What
 a `const` model refers to may change all the same, as with property maps of CGAL.
@@ -20,7 +20,7 @@ a `const` model refers to may change all the same, as with property maps of CGAL
 \cgalHasModelsBegin
 \cgalHasModelsBare{`CGAL::T_splines::T_mesh<Point_3, FT>`: a value, with a graph of its own}
 \cgalHasModelsBare{`CGAL::T_splines::T_spline<Kernel>`: the same with weights}
-\cgalHasModelsBare{`CGAL::T_splines::T_mesh_view<Graph, KnotMap, CornerMap, ConstrainedEdgeMap>`: refers to a graph and maps that lie elsewhere}
+\cgalHasModelsBare{`CGAL::T_splines::T_mesh_view<Graph, KnotMap, CornerMap, CreaseMap>`: refers to a graph and maps that lie elsewhere}
 \cgalHasModelsEnd
 */
 class TMesh {

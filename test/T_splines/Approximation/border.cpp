@@ -43,7 +43,7 @@ std::vector<Segment> border_of(const Mesh& mesh)
 /// The largest distance of points of segments from others.
 double distance(const std::vector<Segment>& from, const std::vector<Segment>& to)
 {
-  constexpr int parts = 6;
+  constexpr int parts = 24;
   double largest = 0;
   for (const Segment& s : from)
     for (int i = 0; i < parts; ++i) {

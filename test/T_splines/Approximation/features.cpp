@@ -61,7 +61,7 @@ TEST_CASE("Features of the mesh are edges of the T-mesh of the surface")
   const auto& t_mesh = approximation.t_mesh().t_mesh();
   std::size_t number_of_constrained = 0;
   for (const auto e : t_mesh.graph().edges())
-    number_of_constrained += t_mesh.constrained_edges()[e] ? 1 : 0;
+    number_of_constrained += t_mesh.creases()[e] ? 1 : 0;
   CHECK(number_of_constrained > 0);
   T::T_spline<> spline;
   REQUIRE(approximation.fit(0.01, spline));

@@ -79,8 +79,8 @@ TEST_CASE("beyond a border the function goes on, elsewhere it vanishes", "[Cubic
           CHECK(spline.jet(outside)[d] == Approx(spline.jet(end)[d]).margin(1e-7));
     }
   }
-  CHECK(Spline({0, 0, 0, 0, 2}).value(-e) == Approx(1));
-  CHECK(Spline({0, 0, 0, 1, 3}).jet(-e)[1] == Approx(3));
+  CHECK(Spline(std::array<double, 5>{0, 0, 0, 0, 2}).value(-e) == Approx(1));
+  CHECK(Spline(std::array<double, 5>{0, 0, 0, 1, 3}).jet(-e)[1] == Approx(3));
 }
 
 TEST_CASE("the Bernstein coefficients of a piece give its values", "[Cubic_b_spline]")

@@ -28,6 +28,12 @@ using Mesh = Spline_mesh<Rational>;
 using Patches = CGAL::T_splines::internal::Corner_patches<double>;
 using Vector_3 = Kernel::Vector_3;
 
+constexpr CGAL::T_splines::internal::Border_turn turn_of(const int quarters)
+{
+  using CGAL::T_splines::internal::Border_turn;
+  return quarters == 3 ? Border_turn::CORNER : Border_turn::SLIT;
+}
+
 // Around the corner of the first vertex of a fan there are rings already.
 constexpr int ringed = 6;
 
@@ -60,7 +66,7 @@ TEST_CASE("functions at a corner have the sum 1", "[corners]")
 {
   using Exact_patches = CGAL::T_splines::internal::Corner_patches<Rational>;
   for (const int k : {3, 4}) {
-    const Exact_patches patches(k);
+    const Exact_patches patches(k, turn_of(k));
     REQUIRE(patches.pieces_per_side() == 1);
     for (int sector = 0; sector < k; ++sector)
       for (int i = 0; i < 16; ++i) {
@@ -71,7 +77,7 @@ TEST_CASE("functions at a corner have the sum 1", "[corners]")
       }
   }
   for (const int k : {5, 6, 9}) {
-    const Patches patches(k);
+    const Patches patches(k, turn_of(k));
     for (int sector = 0; sector < k; ++sector)
       for (int i = 0; i < 64; ++i) {
         double sum = 0;
@@ -87,7 +93,7 @@ TEST_CASE("a plane without a quadrant is reproduced", "[corners]")
   // Control points at the places of the vertices: linear functions, exactly.
   using Exact_patches = CGAL::T_splines::internal::Corner_patches<Rational>;
   const int k = GENERATE(3, 4);
-  const Exact_patches patches(k);
+  const Exact_patches patches(k, turn_of(k));
   const std::array<std::array<int, 2>, 4> directions{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
   const auto place = [&](const int sector, const int a, const int b) {
     const auto &x = directions[sector % 4], &y = directions[(sector + 1) % 4];

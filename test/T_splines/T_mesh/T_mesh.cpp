@@ -136,27 +136,27 @@ TEST_CASE("copies keep constrained edges; without a map there are none", "[T_mes
   Exact_t_mesh t_mesh = pinwheel();
   const auto marked = *t_mesh.graph().edges().begin();
   for (const auto e : t_mesh.graph().edges())
-    CHECK_FALSE(get(t_mesh.constrained_edges(), e));
-  put(t_mesh.constrained_edges(), marked, true);
+    CHECK_FALSE(get(t_mesh.creases(), e));
+  put(t_mesh.creases(), marked, true);
   Exact_t_mesh copy = t_mesh, other;
   REQUIRE(T::copy_T_mesh(t_mesh, other));
-  put(t_mesh.constrained_edges(), marked, false);
+  put(t_mesh.creases(), marked, false);
   int number = 0;
   for (const auto e : other.graph().edges())
-    number += get(other.constrained_edges(), e);
+    number += get(other.creases(), e);
   CHECK(number == 1);
-  CHECK(get(copy.constrained_edges(), marked));
+  CHECK(get(copy.creases(), marked));
 
   const T::T_mesh_view view(copy.graph(), copy.knots(), copy.corners());
-  view.set_constrained(copy.graph().halfedge(marked), true);
-  CHECK_FALSE(view.is_constrained(copy.graph().halfedge(marked)));
-  CHECK_FALSE(decltype(view)::has_constrained_edges);
+  view.set_crease(copy.graph().halfedge(marked), true);
+  CHECK_FALSE(view.is_crease(copy.graph().halfedge(marked)));
+  CHECK_FALSE(decltype(view)::has_creases);
 }
 
 TEST_CASE("a view refers to a T-mesh, and makes one of a graph and maps", "[T_mesh]")
 {
   Exact_t_mesh t_mesh = pinwheel();
-  const T::T_mesh_view view(t_mesh.graph(), t_mesh.knots(), t_mesh.corners(), t_mesh.constrained_edges());
+  const T::T_mesh_view view(t_mesh.graph(), t_mesh.knots(), t_mesh.corners(), t_mesh.creases());
   static_assert(std::is_same<std::decay_t<decltype(view)>, T::T_mesh_view_of<Exact_t_mesh>>::value, "");
   static_assert(std::is_same<decltype(std::declval<T::T_mesh_view_of<const Exact_t_mesh>>().graph()),
                              const Exact_t_mesh::Graph&>::value,

@@ -488,22 +488,22 @@ TEST_CASE("constrained edges stay where they are, and their parts are constraine
   const auto side = [&](const int f, const int i) {
     return editor.coordinates().first_of_side(T_mesh::face_descriptor(static_cast<unsigned>(f)), i);
   };
-  const auto number_of_constrained_edges = [&] {
+  const auto number_of_creases = [&] {
     int number = 0;
     for (const auto e : graph.edges())
-      number += get(t.constrained_edges(), e);
+      number += get(t.creases(), e);
     return number;
   };
   // From a vertex inside to the border: the lower sides of the last two squares of the middle row.
   for (const int f : {4, 5})
-    put(t.constrained_edges(), graph.edge(side(f, 0)), true);
+    put(t.creases(), graph.edge(side(f, 0)), true);
   CHECK(editor.is_fixed(graph.source(side(4, 0))));
   CHECK_FALSE(editor.is_fixed(graph.target(side(4, 0))));
   for (const int f : {4, 5}) {
-    CHECK(editor.can_remove(side(f, 0)) == Status::CONSTRAINED_EDGE);
-    CHECK(editor.remove_edge(side(f, 0)).status == Status::CONSTRAINED_EDGE);
-    CHECK(editor.flip_edge(side(f, 0)).status == Status::CONSTRAINED_EDGE);
-    CHECK(editor.shift(side(f, 0), Rational(1) / 4).status == Status::CONSTRAINED_EDGE);
+    CHECK(editor.can_remove(side(f, 0)) == Status::CREASE);
+    CHECK(editor.remove_edge(side(f, 0)).status == Status::CREASE);
+    CHECK(editor.flip_edge(side(f, 0)).status == Status::CREASE);
+    CHECK(editor.shift(side(f, 0), Rational(1) / 4).status == Status::CREASE);
   }
   CHECK(editor.remove_edge(side(4, 3)).status == Status::FIXED_VERTEX); // it meets the end of the line
   SECTION("a vertex in one of them")
@@ -511,26 +511,26 @@ TEST_CASE("constrained edges stay where they are, and their parts are constraine
     const auto h = side(5, 0);
     const auto edit = editor.insert_vertex(h, Rational(1));
     REQUIRE(edit);
-    CHECK(number_of_constrained_edges() == 3);
-    CHECK(get(t.constrained_edges(), graph.edge(edit.halfedge)));
-    CHECK(get(t.constrained_edges(), graph.edge(h)));
+    CHECK(number_of_creases() == 3);
+    CHECK(get(t.creases(), graph.edge(edit.halfedge)));
+    CHECK(get(t.creases(), graph.edge(h)));
     REQUIRE(editor.remove_vertex(edit.halfedge));
-    CHECK(number_of_constrained_edges() == 2);
+    CHECK(number_of_creases() == 2);
   }
   SECTION("lines that end on them are removed, and they are joined")
   {
     REQUIRE(editor.remove_edge(side(4, 1)));
-    CHECK(number_of_constrained_edges() == 2);
+    CHECK(number_of_creases() == 2);
     REQUIRE(editor.remove_edge(side(1, 1)));
-    CHECK(number_of_constrained_edges() == 1);
+    CHECK(number_of_creases() == 1);
     CHECK(CGAL::T_splines::check_admissibility(t));
   }
   SECTION("new edges are not constrained")
   {
     REQUIRE(editor.split_face(T_mesh::face_descriptor(4), 0, Rational(1)));
-    CHECK(number_of_constrained_edges() == 3); // one is cut in two
+    CHECK(number_of_creases() == 3); // one is cut in two
     REQUIRE(editor.split_face(T_mesh::face_descriptor(4), 1, Rational(1)));
-    CHECK(number_of_constrained_edges() == 3);
+    CHECK(number_of_creases() == 3);
   }
 }
 

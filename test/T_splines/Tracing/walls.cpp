@@ -91,7 +91,7 @@ Exact length_of_walls(const TMesh& t_mesh)
 {
   Exact result(0);
   for (const auto h : t_mesh.graph().halfedges())
-    if (get(t_mesh.constrained_edges(), t_mesh.graph().edge(h)) && !t_mesh.graph().is_border(h))
+    if (get(t_mesh.creases(), t_mesh.graph().edge(h)) && !t_mesh.graph().is_border(h))
       result += Exact(get(t_mesh.knots(), h));
   return result;
 }
@@ -144,7 +144,7 @@ void check_edits(const Traced& traced, CGAL::Random& random)
        std::vector<Surface_mesh::Edge_index>(t_mesh.graph().edges().begin(), t_mesh.graph().edges().end()))
     if (!t_mesh.graph().is_removed(e)) {
       const auto h = t_mesh.graph().halfedge(e);
-      const bool is_constrained = t_mesh.constrained_edges()[e];
+      const bool is_constrained = t_mesh.creases()[e];
       const auto shifted = editor.shift(h, Exact(1) / Exact(64)), removed = editor.flip_edge(h);
       CHECK((!is_constrained || (!shifted && !removed)));
     }
@@ -299,7 +299,7 @@ TEST_CASE("A wall on the line that a similarity maps to itself", "[walls]")
   const T::T_mesh_view_of<decltype(t_mesh)> view(t_mesh);
   CHECK(length_of_walls(t_mesh) > 0);
   for (const auto v : t_mesh.graph().vertices())
-    CHECK_FALSE(T::internal::is_node_of_constrained_edges(v, view));
+    CHECK_FALSE(T::internal::is_node_of_creases(v, view));
 }
 
 TEST_CASE("Walls on surfaces with a border", "[walls]")
@@ -355,7 +355,7 @@ TEST_CASE("A strip between two walls is divided by regularization", "[walls]")
   CHECK(length_of_walls(t_mesh) == length);
   CHECK(T::check_admissibility(t_mesh).success());
   for (const auto e : without.graph().edges())
-    put(without.constrained_edges(), e, false);
+    put(without.creases(), e, false);
   CHECK(T::regularize_T_mesh(without).divisions == 0);
 }
 

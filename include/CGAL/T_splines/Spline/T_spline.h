@@ -31,16 +31,16 @@ class T_spline {
   using Value = T_mesh<typename Kernel_::Point_3, typename Kernel_::FT>;
 
 public:
-  using Kernel = Kernel_;                        ///< the kernel
-  using FT = typename Kernel::FT;                ///< number type
-  using Point_3 = typename Kernel::Point_3;      ///< a point in space
-  using Graph = typename Value::Graph;           ///< the T-mesh's graph
-  using Knot_map = typename Value::Knot_map;     ///< halfedge -> knot interval
-  using Corner_map = typename Value::Corner_map; ///< halfedge -> whether the face turns at its target
-  using Constrained_edge_map = typename Value::Constrained_edge_map; ///< edge -> whether it is constrained
-  using vertex_descriptor = typename Value::vertex_descriptor;       ///< a vertex of the graph
-  using halfedge_descriptor = typename Value::halfedge_descriptor;   ///< a halfedge of the graph
-  using face_descriptor = typename Value::face_descriptor;           ///< a face of the graph
+  using Kernel = Kernel_;                                          ///< the kernel
+  using FT = typename Kernel::FT;                                  ///< number type
+  using Point_3 = typename Kernel::Point_3;                        ///< a point in space
+  using Graph = typename Value::Graph;                             ///< the T-mesh's graph
+  using Knot_map = typename Value::Knot_map;                       ///< halfedge -> knot interval
+  using Corner_map = typename Value::Corner_map;                   ///< halfedge -> whether the face turns at its target
+  using Crease_map = typename Value::Crease_map;                   ///< edge -> whether it is a crease
+  using vertex_descriptor = typename Value::vertex_descriptor;     ///< a vertex of the graph
+  using halfedge_descriptor = typename Value::halfedge_descriptor; ///< a halfedge of the graph
+  using face_descriptor = typename Value::face_descriptor;         ///< a face of the graph
   using Weight_map = typename Graph::template Property_map<vertex_descriptor, FT>; ///< vertex -> weight
   /// vertex -> control point with weight.
   using Control_points =
@@ -69,7 +69,7 @@ public:
   /// returns where the faces have their corners.
   const Corner_map& corners() const { return m_t_mesh.corners(); }
   /// returns which edges are constrained.
-  const Constrained_edge_map& constrained_edges() const { return m_t_mesh.constrained_edges(); }
+  const Crease_map& creases() const { return m_t_mesh.creases(); }
   const Weight_map& weights() const { return m_weights; } ///< of new vertices 1
 
   /// returns the number of vertices of the T-mesh.

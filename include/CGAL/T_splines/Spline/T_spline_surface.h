@@ -132,7 +132,7 @@ public:
     }
     if (defect) {
       m_report.status = T_spline_status::NOT_SPLINE_COMPATIBLE;
-      internal::set_defect(defect, *m_indexing, m_report.compatibility);
+      internal::set_defect(structure.in_graph(defect), *m_indexing, m_report.compatibility);
       return;
     }
     m_basis = basis;

@@ -92,7 +92,7 @@ public:
       defect = structure.find_supports([](int, const Basis_support<Knot>&) {});
     if (defect) {
       report.status = Knot_insertion_status::NOT_SPLINE_COMPATIBLE;
-      set_defect(defect, indexing, report.compatibility);
+      set_defect(structure.in_graph(defect), indexing, report.compatibility);
       return report;
     }
     const Arrays& arrays = structure.knot_arrays();

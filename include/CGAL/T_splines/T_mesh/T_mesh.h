@@ -39,7 +39,7 @@ void copy_elements(const Mesh_indexing<typename FromTMesh::Graph>& indexing, con
       continue;
     to.set_knot(writer.halfedge(i), converted_number<Knot>(from.knot(h)));
     to.set_corner(writer.halfedge(i), from.is_corner(h));
-    to.set_constrained(writer.halfedge(i), from.is_constrained(h));
+    to.set_crease(writer.halfedge(i), from.is_crease(h));
   }
   for (int f = 0; f < indexing.number_of_faces(); ++f)
     writer.set_halfedge_of_face(f, indexing.halfedge_index(halfedge(indexing.face(f), graph)));
@@ -48,7 +48,7 @@ void copy_elements(const Mesh_indexing<typename FromTMesh::Graph>& indexing, con
 } // namespace internal
 
 /// \ingroup PkgTSplinesTMesh
-/// copies the connectivity of a T-mesh, its knots, corners and constrained edges. The elements keep their order; points are not copied.
+/// copies the connectivity of a T-mesh, its knots, corners and creases. The elements keep their order; points are not copied.
 /// \tparam FromTMesh, ToTMesh models of `TMesh`, the graphs of `FaceListGraph` and `VertexListGraph`, that of `to` of
 ///         `MutableFaceGraph`; knots are converted, exact ones to doubles rounded
 /// \param from what is copied
@@ -87,8 +87,8 @@ public:
   using Knot_map = typename Graph::template Property_map<halfedge_descriptor, FT>; ///< halfedge -> knot interval
   /// halfedge -> whether the face turns at its target.
   using Corner_map = typename Graph::template Property_map<halfedge_descriptor, bool>;
-  /// edge -> whether it is constrained.
-  using Constrained_edge_map = typename Graph::template Property_map<typename Graph::Edge_index, bool>;
+  /// edge -> whether it is a crease.
+  using Crease_map = typename Graph::template Property_map<typename Graph::Edge_index, bool>;
 
   /// is empty.
   T_mesh() { find_maps(); }
@@ -108,8 +108,8 @@ public:
   const Graph& graph() const { return m_graph; }
   const Knot_map& knots() const { return m_knots; }       ///< of new halfedges 0
   const Corner_map& corners() const { return m_corners; } ///< of new halfedges `false`
-  /// returns which edges are constrained; new ones are not.
-  const Constrained_edge_map& constrained_edges() const { return m_constrained_edges; }
+  /// returns which edges are creases; new ones are not.
+  const Crease_map& creases() const { return m_creases; }
 
 private:
   // Of this graph, not of the one that was copied.
@@ -117,14 +117,13 @@ private:
   {
     m_knots = m_graph.template add_property_map<halfedge_descriptor, FT>("h:knot", FT(0)).first;
     m_corners = m_graph.template add_property_map<halfedge_descriptor, bool>("h:is_corner", false).first;
-    m_constrained_edges =
-        m_graph.template add_property_map<typename Graph::Edge_index, bool>("e:is_constrained", false).first;
+    m_creases = m_graph.template add_property_map<typename Graph::Edge_index, bool>("e:is_crease", false).first;
   }
 
   Graph m_graph;
   Knot_map m_knots;
   Corner_map m_corners;
-  Constrained_edge_map m_constrained_edges;
+  Crease_map m_creases;
 };
 
 } // namespace T_splines

@@ -20,7 +20,7 @@ enum class T_mesh_edit_status {
   NOT_A_FULL_SIDE,  ///< the edges between the two faces are not a full side of both
   NOT_REMOVABLE,    ///< the vertex has not exactly two edges
   FIXED_VERTEX,     ///< an extraordinary or constrained vertex would lose an edge or move
-  CONSTRAINED_EDGE, ///< a constrained edge would be removed or moved
+  CREASE,           ///< a crease would be removed or moved
   NO_FREE_LINE,     ///< the line ends at a border or where no orthogonal line passes, so that it cannot be shifted
   LINE_MEETS_ITSELF ///< the line crosses itself, or faces touch it along both axes
 };
@@ -38,7 +38,7 @@ inline const char* message(const T_mesh_edit_status status)
   case T_mesh_edit_status::NOT_A_FULL_SIDE: return "the edges between the two faces are not a full side of both";
   case T_mesh_edit_status::NOT_REMOVABLE: return "the vertex has not exactly two edges";
   case T_mesh_edit_status::FIXED_VERTEX: return "an extraordinary or constrained vertex would lose an edge or move";
-  case T_mesh_edit_status::CONSTRAINED_EDGE: return "a constrained edge would be removed or moved";
+  case T_mesh_edit_status::CREASE: return "a crease would be removed or moved";
   case T_mesh_edit_status::NO_FREE_LINE: return "the line does not end at orthogonal lines";
   case T_mesh_edit_status::LINE_MEETS_ITSELF: return "the line crosses itself";
   }

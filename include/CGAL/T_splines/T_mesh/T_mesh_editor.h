@@ -11,7 +11,7 @@
 #include <CGAL/T_splines/T_mesh/check_admissibility.h>
 #include <CGAL/T_splines/T_mesh/internal/Line_shift.h>
 #include <CGAL/T_splines/T_mesh/internal/T_mesh_surgery.h>
-#include <CGAL/T_splines/T_mesh/internal/is_node_of_constrained_edges.h>
+#include <CGAL/T_splines/T_mesh/internal/is_node_of_creases.h>
 #include <CGAL/T_splines/internal/tolerances.h>
 
 #include <CGAL/assertions.h>
@@ -29,8 +29,8 @@ namespace T_splines {
 /// Changes a T-mesh with halfedge knots; each operation keeps it admissible ([CZ17] section 8).
 ///
 /// Lines of the T-mesh are inserted, removed and moved along the axes of the faces; extraordinary vertices never move
-/// and keep all their edges, at least in part; the same holds for vertices where constrained edges do not go straight
-/// through. Constrained edges are neither removed nor moved to their side; their parts are constrained, too. An
+/// and keep all their edges, at least in part; the same holds for vertices where creases do not go straight
+/// through. Creases are neither removed nor moved to their side; their parts are creases, too. An
 /// operation that is not allowed does nothing and says why. The time that an operation takes is linear in the number of halfedges of the faces that it touches; a shift may need its
 /// square.
 ///
@@ -66,11 +66,11 @@ public:
   const Coordinates& coordinates() const { return m_surgery.coordinates(); }
 
   /// returns whether operations must leave `v` where it is, with all its edges: it is extraordinary or constrained, or
-  /// constrained edges end or turn there.
+  /// creases end or turn there.
   bool is_fixed(const vertex_descriptor v) const
   {
     return get(m_vertex_is_constrained, v) || is_extraordinary(v, m_t_mesh) ||
-           internal::is_node_of_constrained_edges(v, m_t_mesh);
+           internal::is_node_of_creases(v, m_t_mesh);
   }
 
   /// inserts a vertex into the edge of `h`, at the distance `x` from the source of `h` in the units of its face.
@@ -175,7 +175,7 @@ public:
   /// removes the chain of edges between the faces of `h`, if it is a full side of both ([CZ17] Fig. 12 left).
   ///
   /// The face of `h` becomes the union, in its own units. Vertices that only the chain held vanish.
-  /// \return a halfedge of the union, or NO_FACE, SAME_FACE, NOT_A_FULL_SIDE, FIXED_VERTEX, CONSTRAINED_EDGE
+  /// \return a halfedge of the union, or NO_FACE, SAME_FACE, NOT_A_FULL_SIDE, FIXED_VERTEX, CREASE
   Edit remove_edge(const halfedge_descriptor h)
   {
     const T_mesh_edit_status status = can_remove(h);
@@ -187,7 +187,7 @@ public:
 
   /// removes the chain of edges between the faces of `h`, after edges orthogonal to it have been inserted at its ends
   /// where a face goes on beyond ([CZ17] Fig. 12 right).
-  /// \return a halfedge of the union, or NO_FACE, SAME_FACE, FIXED_VERTEX, CONSTRAINED_EDGE, OUTSIDE
+  /// \return a halfedge of the union, or NO_FACE, SAME_FACE, FIXED_VERTEX, CREASE, OUTSIDE
   Edit flip_edge(const halfedge_descriptor h)
   {
     const T_mesh_edit_status status = have_two_faces(h);
@@ -202,7 +202,7 @@ public:
   /// both faces within the chain ([CZ17] Fig. 13).
   ///
   /// Only an end of the chain that stays may be an extraordinary vertex.
-  /// \return a halfedge of the union, or NO_FACE, SAME_FACE, FIXED_VERTEX, CONSTRAINED_EDGE, OUTSIDE
+  /// \return a halfedge of the union, or NO_FACE, SAME_FACE, FIXED_VERTEX, CREASE, OUTSIDE
   Edit remove_partly(const halfedge_descriptor h, const FT& from, const FT& to)
   {
     T_mesh_edit_status status = have_two_faces(h);
@@ -234,7 +234,7 @@ public:
   ///
   /// The line is the longest one that contains the edge. It must be closed, or end on both sides at T-joints of
   /// orthogonal lines; all its vertices move with it, and must not meet or pass others.
-  /// \return `h`, or NO_FACE, FIXED_VERTEX, CONSTRAINED_EDGE, NO_FREE_LINE, LINE_MEETS_ITSELF, OUTSIDE
+  /// \return `h`, or NO_FACE, FIXED_VERTEX, CREASE, NO_FREE_LINE, LINE_MEETS_ITSELF, OUTSIDE
   Edit shift(const halfedge_descriptor h, const FT& delta)
   {
     internal::Line_shift<TMesh, Observer> line(m_surgery);
@@ -283,17 +283,17 @@ private:
     return f == g ? T_mesh_edit_status::SAME_FACE : T_mesh_edit_status::DONE;
   }
 
-  // Whether no edge is constrained, and no vertex that is removed or loses an edge is fixed.
+  // Whether no edge is a crease, and no vertex that is removed or loses an edge is fixed.
   T_mesh_edit_status can_remove(const Overlap& o, const bool at_first, const bool at_last) const
   {
-    if (m_t_mesh.is_constrained(o.last))
-      return T_mesh_edit_status::CONSTRAINED_EDGE;
+    if (m_t_mesh.is_crease(o.last))
+      return T_mesh_edit_status::CREASE;
     if ((at_first && is_fixed(target(opposite(o.first, m_graph), m_graph))) ||
         (at_last && is_fixed(target(o.last, m_graph))))
       return T_mesh_edit_status::FIXED_VERTEX;
     for (halfedge_descriptor h = o.first; h != o.last; h = next(h, m_graph)) {
-      if (m_t_mesh.is_constrained(h))
-        return T_mesh_edit_status::CONSTRAINED_EDGE;
+      if (m_t_mesh.is_crease(h))
+        return T_mesh_edit_status::CREASE;
       if (is_fixed(target(h, m_graph)))
         return T_mesh_edit_status::FIXED_VERTEX;
     }

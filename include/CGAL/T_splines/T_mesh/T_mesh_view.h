@@ -22,18 +22,18 @@ constexpr bool is_t_mesh = false;
 template <typename T>
 constexpr bool is_t_mesh<T, std::void_t<typename T::Graph, typename T::Knot_map, typename T::Corner_map>> = true;
 
-// The map of the constrained edges of a model of `TMesh`; one that is always false if it has none.
+// The map of the creases of a model of `TMesh`; one that is always false if it has none.
 template <typename T, typename = void>
-struct Constrained_edge_map {
+struct Crease_map {
   using Edge = typename boost::graph_traits<typename T::Graph>::edge_descriptor;
   using type = CGAL::Static_boolean_property_map<Edge, false>;
   static type of(const T&) { return {}; }
 };
 
 template <typename T>
-struct Constrained_edge_map<T, std::void_t<typename T::Constrained_edge_map>> {
-  using type = typename T::Constrained_edge_map;
-  static type of(const T& t_mesh) { return t_mesh.constrained_edges(); }
+struct Crease_map<T, std::void_t<typename T::Crease_map>> {
+  using type = typename T::Crease_map;
+  static type of(const T& t_mesh) { return t_mesh.creases(); }
 };
 
 // What `graph()` returns of T, T& or const T&.
@@ -44,7 +44,7 @@ using Graph_reference = decltype(std::declval<std::remove_reference_t<T>&>().gra
 
 /// \ingroup PkgTSplinesTMesh
 /// A T-mesh with halfedge knots whose parts lie elsewhere: a graph, the property map of its knots, that of its corners
-/// and, if there is one, that of its constrained edges. A model of `TMesh` that refers to all of them; a copy refers to
+/// and, if there is one, that of its creases. A model of `TMesh` that refers to all of them; a copy refers to
 /// the same ones.
 ///
 /// \cgalModels{TMesh}
@@ -54,28 +54,27 @@ using Graph_reference = decltype(std::declval<std::remove_reference_t<T>&>().gra
 ///         read at border halfedges. To change the T-mesh it must be writable, also at halfedges that the graph has just
 ///         added
 /// \tparam CornerMap the same with `bool`: whether the face of the halfedge turns, by a right angle, at its target
-/// \tparam ConstrainedEdgeMap a map, edge -> whether it is constrained; readable, and writable as the others are
+/// \tparam CreaseMap a map, edge -> whether it is a crease of the surface; readable, and writable as the others are
 template <typename Graph_, typename KnotMap, typename CornerMap,
-          typename ConstrainedEdgeMap = CGAL::Static_boolean_property_map<
+          typename CreaseMap = CGAL::Static_boolean_property_map<
               typename boost::graph_traits<std::remove_const_t<Graph_>>::edge_descriptor, false>>
 class T_mesh_view {
 public:
   using Graph = std::remove_const_t<Graph_>;                       ///< the T-mesh's graph
   using Knot_map = KnotMap;                                        ///< halfedge -> knot interval
   using Corner_map = CornerMap;                                    ///< halfedge -> whether the face turns at its target
-  using Constrained_edge_map = ConstrainedEdgeMap;                 ///< edge -> whether it is constrained
+  using Crease_map = CreaseMap;                                    ///< edge -> whether it is a crease
   using FT = typename boost::property_traits<KnotMap>::value_type; ///< of the knots
   using vertex_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;     ///< a vertex of the graph
   using halfedge_descriptor = typename boost::graph_traits<Graph>::halfedge_descriptor; ///< a halfedge of the graph
   using face_descriptor = typename boost::graph_traits<Graph>::face_descriptor;         ///< a face of the graph
 
   /// refers to a graph and its maps.
-  T_mesh_view(Graph_& graph, const KnotMap knots, const CornerMap corners,
-              const ConstrainedEdgeMap constrained_edges = ConstrainedEdgeMap())
+  T_mesh_view(Graph_& graph, const KnotMap knots, const CornerMap corners, const CreaseMap creases = CreaseMap())
     : m_graph(&graph),
       m_knots(knots),
       m_corners(corners),
-      m_constrained_edges(constrained_edges)
+      m_creases(creases)
   {
   }
 
@@ -86,7 +85,7 @@ public:
                                         std::is_convertible<internal::Graph_reference<TMesh>, Graph_&>::value>>
   T_mesh_view(TMesh&& t_mesh)
     : T_mesh_view(t_mesh.graph(), t_mesh.knots(), t_mesh.corners(),
-                  internal::Constrained_edge_map<std::decay_t<TMesh>>::of(t_mesh))
+                  internal::Crease_map<std::decay_t<TMesh>>::of(t_mesh))
   {
   }
 
@@ -96,8 +95,8 @@ public:
   const KnotMap& knots() const { return m_knots; }
   /// returns where the faces have their corners.
   const CornerMap& corners() const { return m_corners; }
-  /// returns which edges are constrained.
-  const ConstrainedEdgeMap& constrained_edges() const { return m_constrained_edges; }
+  /// returns which edges are creases.
+  const CreaseMap& creases() const { return m_creases; }
 
   /// returns the knot interval of `h`.
   decltype(auto) knot(const halfedge_descriptor h) const { return get(m_knots, h); }
@@ -108,24 +107,23 @@ public:
   /// sets whether the face of `h` turns at the target of `h`.
   void set_corner(const halfedge_descriptor h, const bool is_corner) const { put(m_corners, h, is_corner); }
 
-  /// whether the T-mesh has a map of constrained edges.
-  static constexpr bool has_constrained_edges = !std::is_same<
-      ConstrainedEdgeMap,
-      CGAL::Static_boolean_property_map<typename boost::graph_traits<Graph>::edge_descriptor, false>>::value;
+  /// whether the T-mesh has a map of creases.
+  static constexpr bool has_creases = !std::is_same<
+      CreaseMap, CGAL::Static_boolean_property_map<typename boost::graph_traits<Graph>::edge_descriptor, false>>::value;
 
-  /// returns whether the edge of `h` is constrained.
-  bool is_constrained(const halfedge_descriptor h) const
+  /// returns whether the edge of `h` is a crease.
+  bool is_crease(const halfedge_descriptor h) const
   {
-    if constexpr (has_constrained_edges)
-      return get(m_constrained_edges, edge(h, *m_graph));
+    if constexpr (has_creases)
+      return get(m_creases, edge(h, *m_graph));
     else
       return false;
   }
-  /// sets whether the edge of `h` is constrained, if there is a map of such edges.
-  void set_constrained(const halfedge_descriptor h, const bool is_constrained) const
+  /// sets whether the edge of `h` is a crease, if there is a map of them.
+  void set_crease(const halfedge_descriptor h, const bool is_crease) const
   {
-    if constexpr (has_constrained_edges)
-      put(m_constrained_edges, edge(h, *m_graph), is_constrained);
+    if constexpr (has_creases)
+      put(m_creases, edge(h, *m_graph), is_crease);
   }
 
 private:
@@ -139,7 +137,7 @@ private:
   Graph_* m_graph;
   KnotMap m_knots;
   CornerMap m_corners;
-  ConstrainedEdgeMap m_constrained_edges;
+  CreaseMap m_creases;
 };
 
 /// \ingroup PkgTSplinesTMesh
@@ -150,16 +148,16 @@ using T_mesh_graph = typename std::decay_t<TMesh>::Graph;
 /// \ingroup PkgTSplinesTMesh
 /// The view of a model of `TMesh`, or of a reference to one, by which its graph can be changed if it is not `const`.
 template <typename TMesh>
-using T_mesh_view_of = T_mesh_view<std::remove_reference_t<internal::Graph_reference<TMesh>>,
-                                   typename std::decay_t<TMesh>::Knot_map, typename std::decay_t<TMesh>::Corner_map,
-                                   typename internal::Constrained_edge_map<std::decay_t<TMesh>>::type>;
+using T_mesh_view_of =
+    T_mesh_view<std::remove_reference_t<internal::Graph_reference<TMesh>>, typename std::decay_t<TMesh>::Knot_map,
+                typename std::decay_t<TMesh>::Corner_map, typename internal::Crease_map<std::decay_t<TMesh>>::type>;
 
 /// \ingroup PkgTSplinesTMesh
 /// The view of a model of `TMesh` by which its graph cannot be changed.
 template <typename TMesh>
-using Const_T_mesh_view_of = T_mesh_view<const T_mesh_graph<TMesh>, typename std::decay_t<TMesh>::Knot_map,
-                                         typename std::decay_t<TMesh>::Corner_map,
-                                         typename internal::Constrained_edge_map<std::decay_t<TMesh>>::type>;
+using Const_T_mesh_view_of =
+    T_mesh_view<const T_mesh_graph<TMesh>, typename std::decay_t<TMesh>::Knot_map,
+                typename std::decay_t<TMesh>::Corner_map, typename internal::Crease_map<std::decay_t<TMesh>>::type>;
 
 } // namespace T_splines
 } // namespace CGAL

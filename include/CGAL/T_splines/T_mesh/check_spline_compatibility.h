@@ -76,7 +76,7 @@ spline_compatibility_report(const TMesh& t_mesh, const NamedParameters& np, Prog
   if (!defect)
     defect = structure.find_supports(
         [&](int, const Basis_support<FT>& support) { report.self_overlapping_supports += support.overlaps_itself(); });
-  set_defect(defect, indexing, report);
+  set_defect(structure.in_graph(defect), indexing, report);
   return report;
 }
 

@@ -48,13 +48,14 @@ template <typename FT>
 std::size_t number_of_vertices_in_rings(const Spline_structure<FT>& structure)
 {
   const auto& arrays = structure.arrays();
-  std::vector<char> is_in_rings(arrays.number_of_vertices());
+  std::vector<char> is_in_rings(arrays.number_of_original_vertices());
   for (const Regular_rings<FT>& rings : structure.rings())
     for (int sector = 0; sector < rings.valence(); ++sector)
       for (int x = 0; x < 3; ++x)
         for (int y = 0; y < (x < 2 ? 3 : 2); ++y)
           for (int side = 0; side < 4; ++side)
-            is_in_rings[arrays.source(arrays.first_of_side(rings.face(sector, x, y), side))] = true;
+            is_in_rings[arrays.original_vertex(arrays.source(arrays.first_of_side(rings.face(sector, x, y), side)))] =
+                true;
   return std::count(is_in_rings.begin(), is_in_rings.end(), true);
 }
 
@@ -68,7 +69,7 @@ bool is_repairable(const TMesh& t_mesh, const NamedParameters& np, Progress& pro
     return false;
   const Mesh_indexing<typename TMesh::Graph> indexing(t_mesh.graph());
   const Spline_structure<double> structure(indexing, t_mesh, progress);
-  set_defect(structure.check_vertices(), indexing, result);
+  set_defect(structure.in_graph(structure.check_vertices()), indexing, result);
   report.extraordinary_vertices = structure.extraordinary_vertices().size();
   report.vertices_before = report.vertices_after = indexing.number_of_vertices();
   report.faces_before = report.faces_after = indexing.number_of_faces();

@@ -104,6 +104,10 @@ public:
   }
 
 private:
+  // Of the quarter turns of a sector from its angle: a corner of 270 degrees with two of them would fold in a spline that is
+  // sharp there, one of 120 degrees would be blunt.
+  static constexpr double largest_difference_of_turns = 0.6;
+
   // Then narrow sectors get quarter turns, too. One round or two are usual.
   static constexpr int most_rounds_for_narrow_sectors = 20;
 
@@ -164,7 +168,7 @@ private:
   {
     Low_vertex_repair repair(m_mesh, m_geometry, sectors, border_crosses(), Low_vertex_repair::Fixed_crosses::STAY,
                              is_face_fixed, m_angle, m_progress);
-    m_number_of_repaired = repair.repair();
+    m_number_of_repaired = repair.repair() + repair.meet_angles(largest_difference_of_turns);
     if (m_are_corners_given)
       repair.meet_corners(m_guide.quarter_turns());
     m_rotation = repair.rotations();

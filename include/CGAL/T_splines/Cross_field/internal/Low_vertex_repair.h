@@ -64,6 +64,7 @@ public:
       m_rotation(field_rotations(mesh, angles_to_halfedges(mesh, geometry, angle))),
       m_turns(sectors.size()),
       m_usual_turns(sectors.size(), 4),
+      m_angle_in_turns(sectors.size(), 4),
       m_unknown(mesh.number_of_faces(), null),
       m_marked(sectors.size(), 0)
   {
@@ -73,6 +74,7 @@ public:
       m_turns[s] = static_cast<int>(std::lround(turns[s]));
       if (sectors.has_bounds(s))
         m_usual_turns[s] = (std::max)(1, static_cast<int>(std::lround(angles[s] / quarter_turn)));
+      m_angle_in_turns[s] = angles[s] / quarter_turn;
     }
   }
 
@@ -91,6 +93,36 @@ public:
       ++number_repaired;
     }
     return number_repaired;
+  }
+
+  /// gives sectors between features the quarter turns that go best with their angles: those that are off by more than
+  /// `tolerance` of one, as far as their part of the surface can give or take them.
+  /// \return how many it changed
+  int meet_angles(const double tolerance)
+  {
+    int number_changed = 0;
+    for (int s = 0; s < m_sectors.size() && m_progress.go_on_after(2); ++s) {
+      if (!m_sectors.has_bounds(s) || m_sectors.is_between_borders(s))
+        continue;
+      std::vector<int> around(1, s);
+      m_crossed.clear();
+      while (std::abs(m_turns[s] - m_angle_in_turns[s]) > tolerance && m_progress.go_on_after(100)) {
+        const int change = m_turns[s] < m_angle_in_turns[s] ? 1 : -1;
+        const auto has_excess = [&](const int least) {
+          return [=](const int t) {
+            return (m_turns[t] - m_usual_turns[t]) * change > (m_sectors.has_bounds(t) ? 0 : least);
+          };
+        };
+        if (m_turns[s] + change < 1 || !(carry_quarter_turn(s, change, around, has_excess(0)) ||
+                                         carry_quarter_turn(s, change, around, has_excess(-1))))
+          break;
+      }
+      if (around.size() > 1) {
+        smooth(around);
+        ++number_changed;
+      }
+    }
+    return number_changed;
   }
 
   /// gives the vertices on the border the quarter turns that are wanted, all their sectors together, as far as others can
@@ -352,12 +384,13 @@ private:
   const std::vector<char>& m_is_face_fixed;
   std::vector<double>& m_angle;
   Progress& m_progress;
-  std::vector<double> m_rotation; // per edge
-  std::vector<int> m_turns;       // per sector: quarter turns
-  std::vector<int> m_usual_turns; // per sector: what it keeps if it can, 4 where it has no bounds
-  std::vector<int> m_unknown;     // per face: its number in the patch that is relaxed, or null
-  std::vector<int> m_crossed;     // the halfedges that the quarter turns of the last sector were carried across
-  std::vector<int> m_marked;      // per sector: the last search that reached it
+  std::vector<double> m_rotation;       // per edge
+  std::vector<int> m_turns;             // per sector: quarter turns
+  std::vector<int> m_usual_turns;       // per sector: what it keeps if it can, 4 where it has no bounds
+  std::vector<double> m_angle_in_turns; // per sector
+  std::vector<int> m_unknown;           // per face: its number in the patch that is relaxed, or null
+  std::vector<int> m_crossed;           // the halfedges that the quarter turns of the last sector were carried across
+  std::vector<int> m_marked;            // per sector: the last search that reached it
   int m_mark = 0;
 };
 

@@ -10,6 +10,7 @@
 #include <CGAL/T_splines/Spline/T_spline_self_intersection_report.h>
 #include <CGAL/T_splines/Spline/check_T_spline_self_intersections.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
+#include <CGAL/T_splines/Spline/internal/Creased_triangles.h>
 #include <CGAL/T_splines/Spline/internal/Fit_progress.h>
 #include <CGAL/T_splines/Spline/internal/Fold_state.h>
 #include <CGAL/T_splines/Spline/internal/Measured_surface.h>
@@ -100,9 +101,8 @@ public:
       m_solver(solver),
       m_observer(observer),
       m_caller(progress),
-      m_points(surface.points()),
-      m_triangles(surface.triangles()),
-      m_walk(m_points, m_triangles, others_than_data(surface), progress),
+      m_triangles(Const_T_mesh_view_of<Working>(t_mesh), surface),
+      m_walk(m_triangles.points(), m_triangles.triangles(), others_than_data(surface), progress),
       m_plain{t_mesh, surface, std::vector<double>(t_mesh.graph().number_of_faces(), 1)}
   {
   }
@@ -141,7 +141,8 @@ private:
     }
     const std::size_t coarsest = m_fine.t_mesh.graph().number_of_vertices();
     report.is_limit_default = !m_options.largest_number_of_control_points;
-    report.limit = m_options.largest_number_of_control_points.value_or(default_limit(coarsest, m_points.size()));
+    report.limit =
+        m_options.largest_number_of_control_points.value_or(default_limit(coarsest, m_triangles.points().size()));
     if (coarsest > report.limit) {
       report.status = Status::LIMIT_TOO_LOW;
       report.levels.push_back({coarsest, m_fine.t_mesh.graph().number_of_faces(), m_in_rings, 0, 0, {}});
@@ -490,8 +491,7 @@ private:
   SolverTraits& m_solver;
   const Level_observer& m_observer;
   Progress& m_caller;
-  const std::vector<typename Carried::Point_3> m_points; // of the surface
-  const std::vector<typename Carried::Triangle> m_triangles;
+  const Creased_triangles<Graph> m_triangles; // of the surface
   const Surface_walk m_walk;
   State m_plain, m_fine; // without and with what makes it spline compatible
   Face_ancestors<Graph> m_ancestors;

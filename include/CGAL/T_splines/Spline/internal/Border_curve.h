@@ -121,10 +121,13 @@ Cubic_arc side_of_patch(const Patch& patch, const int side, const std::size_t nu
   return arc;
 }
 
-/// The curves that are the border of a surface; none if it is closed.
+/// Which curves of a surface are meant.
+enum class Curve_kind { BORDER, CREASE, BORDER_OR_CREASE };
+
+/// The curves that are the border of a surface, or its creases: these come twice, from both sides.
 /// \param surface a `Compiled_T_spline`
 template <typename Compiled>
-std::vector<Border_curve> border_curves(const Compiled& surface)
+std::vector<Border_curve> border_curves(const Compiled& surface, const Curve_kind kind = Curve_kind::BORDER)
 {
   const auto& t_mesh = surface.t_mesh_arrays();
   std::vector<Border_curve> curves;
@@ -134,7 +137,9 @@ std::vector<Border_curve> border_curves(const Compiled& surface)
     for (int h = t_mesh.first_of_side(face, side);; h = t_mesh.next(h)) {
       const double from = (std::max)(begin, CGAL::to_double(t_mesh.begin(h))),
                    to = (std::min)(end, CGAL::to_double(t_mesh.end(h)));
-      if (t_mesh.is_border(t_mesh.opposite(h)) && to - from > eps) {
+      const bool is_meant = t_mesh.is_border(t_mesh.opposite(h)) ? kind != Curve_kind::CREASE
+                                                                 : t_mesh.is_crease(h) && kind != Curve_kind::BORDER;
+      if (is_meant && to - from > eps) {
         Cubic_arc arc = side_of_patch(surface.patch(patch), side, curves.size());
         const bool is_whole = from - begin <= eps && end - to <= eps;
         if (!is_whole)

@@ -17,6 +17,12 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
+/// How the border turns inwards at a corner.
+enum class Border_turn : char {
+  CORNER, ///< its tangents on both sides are independent
+  SLIT    ///< they are the same
+};
+
 /// The basis functions in the faces at a corner of the border that turns inwards: bicubic polynomials that depend on the
 /// number k of its quarters alone.
 ///
@@ -30,17 +36,19 @@ namespace internal {
 /// two derivatives from its neighbours on the two sides that are not spokes. This gives all of its Bezier coefficients
 /// but one, and that is the corner's control point. So faces have the same curve along the spoke between them, and all
 /// that is left is the tangent plane at the corner. There let the coefficients next to the corner on spoke i be p + t_i.
-/// They are changed:
-/// - k = 3, any angle between a half and a full turn: t_2 = -t_0, t_1 = -t_3, as in a plane without a quadrant;
-/// - k >= 4, a slit or nearly so: t_i = a cos (2 pi i / k) + b sin (2 pi i / k), as in a plane cut along a ray. The border
+/// They are changed so that spokes are at the angles phi i in an affine image of a plane:
+/// - at a corner, any angle between a half and a full turn, t_0 and t_k stay, and all others follow from them:
+///   t_i = (sin (phi (k - i)) t_0 + sin (phi i) t_k) / sin (phi k). For k = 3, phi is a quarter turn: t_2 = -t_0 and
+///   t_1 = -t_3, as in a plane without a quadrant; for k >= 4, phi k is seven eighths of a turn;
+/// - at the end of a slit, as in a plane cut along a ray: phi = 2 pi / k, t_i = a cos (phi i) + b sin (phi i). The border
 ///   has the same tangent on both sides, the mean a of the two; b is the one closest to the t_i that there were.
 ///
-/// Then faces shall join with a continuous tangent plane along spokes. For k = 3 and k = 4 they do with equal derivatives
-/// across, when the coefficients next to the corner on the diagonals are changed, too; of all changes that do it is the
-/// smallest one. For k > 4 the derivatives across a spoke c(x) on both sides must have the sum l(x) c'(x), where
-/// l = 2 cos (2 pi / k) at the corner; the face becomes 2 x 2 patches, l = (1 - x)^2 l(0) ends with the first one, and
+/// Then faces shall join with a continuous tangent plane along spokes. Where phi is a quarter turn they do with equal
+/// derivatives across, when the coefficients next to the corner on the diagonals are changed, too; of all changes that do
+/// it is the smallest one. Elsewhere the derivatives across a spoke c(x) on both sides must have the sum l(x) c'(x),
+/// where l = 2 cos phi at the corner; the face becomes 2 x 2 patches, l = (1 - x)^2 l(0) ends with the first one, and
 /// c is quadratic there. Coefficients on and next to the other two sides stay: there the tangent planes stay continuous.
-/// \tparam FT a model of `Field`, for k > 4 a floating point type
+/// \tparam FT a model of `Field`; unless phi is a quarter turn, a floating point type
 template <typename FT_>
 class Corner_patches {
 public:
@@ -49,9 +57,10 @@ public:
       std::array<FT, 16>; ///< of a bicubic Bezier patch, 4 j + i for Bernstein polynomials i, j in s, t
 
   /// Time O(k^2). \param number_of_sectors k >= 3
-  explicit Corner_patches(const int number_of_sectors)
+  Corner_patches(const int number_of_sectors, const Border_turn turn)
     : m_number_of_sectors(number_of_sectors),
-      m_pieces(number_of_sectors < 5 ? 1 : 2)
+      m_turn(turn),
+      m_pieces(number_of_sectors == (turn == Border_turn::CORNER ? 3 : 4) ? 1 : 2)
   {
     CGAL_precondition(number_of_sectors >= 3);
     m_coefficients.resize(static_cast<std::size_t>(number_of_sectors) * m_pieces * m_pieces * number_of_controls());
@@ -191,9 +200,9 @@ private:
     for (int spoke = 0; spoke <= k; ++spoke)
       tangents.push_back(on_spoke(grids, spoke, 1) - grids[0](0, 0));
     std::vector<FT> result(k + 1, FT(0));
-    if (k == 3) {
-      result[1] = -tangents[3] - tangents[1];
-      result[2] = -tangents[0] - tangents[2];
+    if (m_turn == Border_turn::CORNER) {
+      for (int spoke = 1; spoke < k; ++spoke)
+        result[spoke] = (sine(k - spoke) * tangents[0] + sine(spoke) * tangents[k]) / sine(k) - tangents[spoke];
       return result;
     }
     const FT a = (tangents[0] + tangents[k]) / FT(2);
@@ -205,23 +214,25 @@ private:
     return result;
   }
 
-  // Of 2 pi i / k.
+  // Of phi i.
   FT cosine(const int i) const
   {
-    if (m_number_of_sectors == 4)
+    if (m_pieces == 1)
       return FT(i % 2 == 1 ? 0 : i % 4 == 0 ? 1 : -1);
-    return trigonometric(2 * i, true);
+    return trigonometric(i, true);
   }
   FT sine(const int i) const
   {
-    if (m_number_of_sectors == 4)
+    if (m_pieces == 1)
       return FT(i % 2 == 0 ? 0 : i % 4 == 1 ? 1 : -1);
-    return trigonometric(2 * i, false);
+    return trigonometric(i, false);
   }
-  FT trigonometric(const int m, const bool is_cosine) const
+  FT trigonometric(const int i, const bool is_cosine) const
   {
+    const int m = m_turn == Border_turn::SLIT ? 2 * i : 7 * i,
+              n = m_turn == Border_turn::SLIT ? m_number_of_sectors : 4 * m_number_of_sectors;
     if constexpr (std::is_floating_point<FT>::value)
-      return is_cosine ? cosine_of_pi_times<FT>(m, m_number_of_sectors) : sine_of_pi_times<FT>(m, m_number_of_sectors);
+      return is_cosine ? cosine_of_pi_times<FT>(m, n) : sine_of_pi_times<FT>(m, n);
     else
       CGAL_error_msg("corners of more than four quarters need a floating point type");
   }
@@ -308,7 +319,9 @@ private:
       grids[sector](1, 1) += shifts[sector] - (sector % 2 == 0 ? excess : FT(-excess)) / FT(m_number_of_sectors);
   }
 
-  int m_number_of_sectors, m_pieces;
+  int m_number_of_sectors;
+  Border_turn m_turn;
+  int m_pieces;
   std::vector<Coefficients> m_coefficients;
 };
 

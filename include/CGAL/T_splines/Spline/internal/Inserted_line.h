@@ -227,7 +227,7 @@ private:
                                                   : number_of_direction(quarters, out);
     const Vertex_rays<FT> rays = m_structure.rays(m_t_mesh.target(in));
     const Knot_ray<FT>&after = rays[direction % 4], &before = rays[(direction + 2) % 4];
-    return {axis_knots(after, before), before.distance[0], after.distance[0]};
+    return {axis_knots(after, before).t, before.distance[0], after.distance[0]};
   }
 
   int number_of_direction(const Vertex_quarters<FT>& quarters, const int out) const

@@ -69,7 +69,7 @@ public:
   using Start = Carried_spline<Compiled, Carried>;
   using Sample = Fitting_sample<FT>;
 
-  /// \param carried, walk must outlive this; the walk is over the points and triangles of the carried surface
+  /// \param carried, walk must outlive this; the walk is over the triangles of the carried surface, cut along creases
   /// \param stiffness of the faces, by index: by what factor the fairness is larger in them
   /// \param progress it must outlive this; if it is interrupted before the fit, the surface is not valid
   Surface_fitter(const TMesh& t_mesh, const Carried& carried, const Surface_walk& walk, std::vector<double> stiffness,
@@ -148,14 +148,14 @@ private:
     m_edges = sampling.sharp_edges(smallest_turn, edge_points_per_cell);
     m_border = sampling.border(fewest_per_cell);
     m_border_corners = sampling.border_corners();
-    m_is_border_corner.assign(m_carried.points().size(), 0);
+    m_is_border_corner.assign(m_walk.points().size(), 0);
     for (const auto& corner : m_border_corners)
       m_is_border_corner[corner.point] = 1;
     m_corners = sampling.corners();
-    for (std::size_t i = 0; i < m_carried.triangles().size(); ++i)
+    for (std::size_t i = 0; i < m_walk.triangles().size(); ++i)
       if (m_carried.is_data(i))
-        for (const std::size_t p : m_carried.triangles()[i])
-          m_box.extend(m_carried.points()[p]);
+        for (const std::size_t p : m_walk.triangles()[i])
+          m_box.extend(m_walk.points()[p]);
     m_fitted.set_origin({FT(m_box.middle(0)), FT(m_box.middle(1)), FT(m_box.middle(2))});
     double area = 0;
     m_triangles.clear();
@@ -225,7 +225,7 @@ private:
     constexpr double pin = 1e8;
     for (const auto& corner : m_border_corners)
       result.push_back(
-          {corner.face, corner.u, corner.v, relative(m_carried.points()[corner.point]), FT(pin * m_mean_area)});
+          {corner.face, corner.u, corner.v, relative(m_walk.points()[corner.point]), FT(pin * m_mean_area)});
     return result;
   }
 
@@ -276,7 +276,7 @@ private:
   void put_corners()
   {
     for (const auto& corner : m_border_corners)
-      m_control_points[corner.vertex] = relative(m_carried.points()[corner.point]);
+      m_control_points[corner.vertex] = relative(m_walk.points()[corner.point]);
   }
 
   static std::vector<std::array<FT, 3>> accelerated(Anderson_acceleration<FT>& acceleration,
@@ -399,18 +399,17 @@ private:
   {
     if (m_border.empty())
       return;
-    const std::vector<Border_curve> curves = border_curves(compiled);
+    const std::vector<Border_curve> curves = border_curves(compiled, Curve_kind::BORDER_OR_CREASE);
     constexpr double share_of_tolerance = 0.01;
     const std::vector<Cubic_arc> arcs = flat_arcs(curves, share_of_tolerance * tolerance);
     const Segment_tree tree(chords(arcs), m_progress);
-    const auto& points = m_carried.points();
+    const auto& points = m_walk.points();
     std::size_t hint = 0;
-    for (std::size_t i = 0; i < m_carried.triangles().size() && m_progress.go_on_after(1); ++i)
+    for (std::size_t i = 0; i < m_walk.triangles().size() && m_progress.go_on_after(1); ++i)
       for (std::size_t side = 0; side < 3; ++side) {
         if (m_walk.across(i, side) != i)
           continue;
-        const Point_3 &a = points[m_carried.triangles()[i][side]],
-                      &b = points[m_carried.triangles()[i][(side + 1) % 3]];
+        const Point_3 &a = points[m_walk.triangles()[i][side]], &b = points[m_walk.triangles()[i][(side + 1) % 3]];
         for (const Point_3& p : {a, CGAL::midpoint(a, b)}) {
           const std::array<double, 3> q = in_doubles(relative(p));
           const Segment_tree::Foot foot = tree.foot(Point_3(q[0], q[1], q[2]), hint);

@@ -47,6 +47,7 @@ class Surface_sampling {
   using Point_3 = Surface_walk::Point_3;
 
 public:
+  /// \param walk over the triangles of the surface, cut along creases
   /// \param progress it must outlive this; if it is interrupted, samples are missing
   Surface_sampling(const T_spline_basis<FT>& basis, const Mesh_indexing<Graph>& indexing, const Surface& surface,
                    const Surface_walk& walk, Progress& progress)
@@ -89,7 +90,7 @@ public:
     return samples;
   }
 
-  /// A vertex of the T-mesh at a corner of the border, the number of the surface's point there, and a place of it.
+  /// A vertex of the T-mesh at a corner of a border, the number of the surface's point there, and a place of it.
   struct Border_corner {
     int vertex;
     std::size_t point;
@@ -97,20 +98,18 @@ public:
     FT u, v;
   };
 
-  /// The corners of the border: there the surface is where its control point is.
+  /// The corners of the border and of the parts between creases: there the surface is where its control point is.
   std::vector<Border_corner> border_corners() const
   {
     std::vector<Border_corner> result;
     const auto& t_mesh = m_basis.t_mesh();
-    for (int v = 0; v < t_mesh.number_of_vertices(); ++v)
-      if (t_mesh.incoming(v) >= 0 && t_mesh.is_border_vertex(v) && t_mesh.extended_valence(v) != 2)
-        t_mesh.for_each_incoming(v, [&](const int h) {
-          const std::optional<std::size_t> p = point_at_target(h);
-          if (p && (result.empty() || result.back().vertex != v)) {
-            const auto place = t_mesh.target_point(h);
-            result.push_back({v, *p, t_mesh.face(h), place.first, place.second});
-          }
-        });
+    for (const std::vector<int>& corner : m_basis.border_corners())
+      for (const int h : corner)
+        if (const std::optional<std::size_t> p = point_at_target(h)) {
+          const auto place = t_mesh.target_point(h);
+          result.push_back({t_mesh.target(h), *p, t_mesh.face(h), place.first, place.second});
+          break;
+        }
     return result;
   }
 
@@ -118,21 +117,21 @@ public:
   std::vector<Sampled_place> corners()
   {
     std::vector<Sampled_place> samples;
-    std::vector<char> is_taken(m_surface.points().size(), 0);
+    std::vector<char> is_taken(m_walk.points().size(), 0);
     for (int f = 0; f < m_basis.t_mesh().number_of_faces() && m_progress.go_on_after(work_per_face); ++f) {
       enter(f);
       m_progress.go_on_after(work_per_image * images().size());
       const double eps_u = same_point * m_width, eps_v = same_point * m_height;
       for (const Image& image : images())
         for (int i = 0; i < 3; ++i) {
-          const std::size_t p = m_surface.triangles()[image.triangle][i];
+          const std::size_t p = m_walk.triangles()[image.triangle][i];
           const double u = image.corners[i][0], v = image.corners[i][1];
           if (!m_surface.is_data(image.triangle) || is_taken[p] || u < -eps_u || v < -eps_v || u > m_width + eps_u ||
               v > m_height + eps_v)
             continue;
           is_taken[p] = 1;
-          samples.push_back({f, std::clamp(u, 0., m_width), std::clamp(v, 0., m_height), image.triangle,
-                             m_surface.points()[p], 0, 0});
+          samples.push_back(
+              {f, std::clamp(u, 0., m_width), std::clamp(v, 0., m_height), image.triangle, m_walk.points()[p], 0, 0});
         }
     }
     return samples;
@@ -270,8 +269,8 @@ private:
 
   double area_of_triangle(const Image& image) const
   {
-    const auto& t = m_surface.triangles()[image.triangle];
-    const auto& p = m_surface.points();
+    const auto& t = m_walk.triangles()[image.triangle];
+    const auto& p = m_walk.points();
     return std::sqrt(CGAL::cross_product(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]).squared_length()) / 2;
   }
 
@@ -286,8 +285,8 @@ private:
 
   Point_3 point(const Found& found) const
   {
-    const auto& t = m_surface.triangles()[found.image->triangle];
-    const auto& p = m_surface.points();
+    const auto& t = m_walk.triangles()[found.image->triangle];
+    const auto& p = m_walk.points();
     const auto [y, z] = inner_barycentric(found);
     return p[t[0]] + y * (p[t[1]] - p[t[0]]) + z * (p[t[2]] - p[t[0]]);
   }
@@ -321,8 +320,8 @@ private:
     const double crossed =
         (end - begin) * (std::max)(std::abs(b[0] - a[0]) / m_width * columns, std::abs(b[1] - a[1]) / m_height * rows);
     const double cell = m_width * m_height / (columns * rows) * area_of_unit(image);
-    const auto& t = m_surface.triangles()[image.triangle];
-    const Point_3 &p = m_surface.points()[t[i]], &q = m_surface.points()[t[(i + 1) % 3]];
+    const auto& t = m_walk.triangles()[image.triangle];
+    const Point_3 &p = m_walk.points()[t[i]], &q = m_walk.points()[t[(i + 1) % 3]];
     const int n = static_cast<int>(std::lround(crossed * per_cell));
     for (int k = 0; k < n; ++k) {
       const double x = begin + (end - begin) * (k + 0.5) / n;
@@ -344,21 +343,14 @@ private:
       for (int i = 0; i < 3; ++i)
         if (std::abs(image.corners[i][0] - CGAL::to_double(place.first)) <= eps_u &&
             std::abs(image.corners[i][1] - CGAL::to_double(place.second)) <= eps_v && is_inside(image, width, height))
-          return m_surface.triangles()[image.triangle][i];
+          return m_walk.triangles()[image.triangle][i];
     return std::nullopt;
   }
 
-  // Whether a triangle covers a part of a face, by more than round-off. On the other side of a slit there are triangles that
-  // touch the face from outside, in its frame.
+  // On the other side of a slit there are triangles that touch the face from outside, in its frame.
   static bool is_inside(const Image& image, const double width, const double height)
   {
-    const double eps_u = same_point * width, eps_v = same_point * height;
-    std::array<Parameters, 3> corners = image.corners;
-    for (Parameters& corner : corners) {
-      corner[0] -= eps_u;
-      corner[1] -= eps_v;
-    }
-    return triangle_meets_rectangle(corners, {width - 2 * eps_u, height - 2 * eps_v});
+    return triangle_covers_part_of_rectangle(image.corners, {width, height}, same_point);
   }
 
   // The places in the part of a side that an edge of the border covers.
@@ -378,8 +370,8 @@ private:
         CGAL::to_double(is_first ? FT(cuts_across[1] - cuts_across[0]) : FT(cuts_across[last] - cuts_across[last - 1]));
     const std::vector<double> places = middles(cuts, n);
     const auto [low, high] = std::minmax(a[along], b[along]);
-    const auto& t = m_surface.triangles()[image.triangle];
-    const Point_3 &p = m_surface.points()[t[i]], &q = m_surface.points()[t[(i + 1) % 3]];
+    const auto& t = m_walk.triangles()[image.triangle];
+    const Point_3 &p = m_walk.points()[t[i]], &q = m_walk.points()[t[(i + 1) % 3]];
     for (std::size_t k = std::lower_bound(places.begin(), places.end(), low) - places.begin();
          k < places.size() && places[k] < high; ++k) {
       const double x = (places[k] - a[along]) / (b[along] - a[along]);

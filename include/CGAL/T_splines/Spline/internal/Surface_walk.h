@@ -72,6 +72,9 @@ public:
       m_stars.for_each_around(p, f);
   }
 
+  const std::vector<Point_3>& points() const { return m_points; }
+  const std::vector<Triangle>& triangles() const { return m_triangles; }
+
   const Vector_3& unit_normal(const std::size_t triangle) const { return m_unit_normals[triangle]; }
 
   /// The triangle on the other side of the edge from corner i to corner i + 1 of a triangle; the same if there is none.

@@ -97,21 +97,35 @@ public:
   template <typename KnotFT>
   Spline_defect build(Spline_structure<KnotFT, FT>& structure)
   {
-    m_arrays = structure.arrays();
+    m_arrays = structure.uncut_arrays();
+    const Arrays& cut = structure.arrays();
     std::vector<std::pair<int, Action>> actions;
+    m_functions.resize(cut.number_of_vertices());
     const Spline_defect defect = structure.find_supports([&](const int v, const Basis_support<FT>& support) {
+      const std::array<Axis_knots<FT>, 2>& axes = structure.knots(v).axes;
+      for (int axis = 0; axis < 2; ++axis)
+        m_functions[v][axis] = Cubic_b_spline<FT>(axes[axis]);
+      int first_half = none;
+      if (axes[0].is_peak) {
+        first_half = static_cast<int>(m_functions.size());
+        m_functions.push_back({Cubic_b_spline<FT>(axes[0].left_half()), m_functions[v][1]});
+        m_functions.push_back({Cubic_b_spline<FT>(axes[0].right_half()), m_functions[v][1]});
+      }
       for (const Support_face<FT>& face : support.faces())
         if (structure.corner_of_face(face.face) == none)
-          actions.emplace_back(face.face, Action{v, v, face.to_vertex});
+          actions.emplace_back(
+              face.face, Action{cut.original_vertex(v),
+                                first_half == none ? v : function_of_peak(v, first_half, support.rectangle_of(face)),
+                                face.to_vertex});
     });
     if (defect)
       return defect;
-    m_functions.resize(m_arrays.number_of_vertices());
-    for (int v = 0; v < m_arrays.number_of_vertices(); ++v)
-      if (!structure.is_isolated(v))
-        for (int axis = 0; axis < 2; ++axis)
-          m_functions[v][axis] = Cubic_b_spline<FT>(structure.knots(v).knots[axis]);
-    add_natural_ends(structure, actions);
+    for (int v = 0; v < cut.number_of_vertices(); ++v)
+      if (structure.is_border_corner(v)) {
+        m_border_corners.emplace_back();
+        cut.for_each_incoming(v, [&](const int h) { m_border_corners.back().push_back(cut.original_halfedge(h)); });
+      }
+    add_corner_ends(structure, actions);
     sort_by_faces(actions);
     add_faces_at_extraordinary_vertices(structure);
     return {};
@@ -119,6 +133,11 @@ public:
 
   const Arrays& t_mesh() const { return m_arrays; }
   const std::vector<Cone_face>& cone_faces() const { return m_cone_faces; }
+
+  /// The corners of the border and of the parts between creases, where the surface is at the control point: of each, the
+  /// halfedges that end there.
+  const std::vector<std::vector<int>>& border_corners() const { return m_border_corners; }
+
   int cone_face_of(const int f) const { return m_cone_face_of_face[f]; } ///< an index of `cone_faces()`, or `none`
 
   /// `nullptr` if the face is none.
@@ -188,19 +207,27 @@ private:
                                       });
   }
 
-  template <typename KnotFT>
-  void add_natural_ends(const Spline_structure<KnotFT, FT>& structure, std::vector<std::pair<int, Action>>& actions)
+  // Where a peak has a kink, its derivatives differ: the halves tell from which side a face sees it.
+  static int function_of_peak(const int whole, const int first_half, const Support_rectangle<FT>& face)
   {
-    using Natural_end = typename Spline_structure<KnotFT, FT>::Natural_end;
-    structure.find_natural_ends([&](const Natural_end& end, const Basis_support<FT>& support) {
-      const Cubic_b_spline<FT> x(end.knots.knots[0]), y(end.knots.knots[1]);
+    const FT eps = knot_tolerance_between_faces(FT(face.high[0] - face.low[0]));
+    return face.high[0] <= eps ? first_half : face.low[0] >= -eps ? first_half + 1 : whole;
+  }
+
+  template <typename KnotFT>
+  void add_corner_ends(const Spline_structure<KnotFT, FT>& structure, std::vector<std::pair<int, Action>>& actions)
+  {
+    using Corner_end = typename Spline_structure<KnotFT, FT>::Corner_end;
+    const Arrays& cut = structure.arrays();
+    structure.find_corner_ends([&](const Corner_end& end, const Basis_support<FT>& support) {
+      const Cubic_b_spline<FT> x(end.knots.axes[0]), y(end.knots.axes[1]);
       const int function = static_cast<int>(m_functions.size());
       m_functions.push_back({FT(2) * x, y});
       m_functions.push_back({FT(-1) * x, y});
       for (const Support_face<FT>& face : support.faces())
         if (structure.corner_of_face(face.face) == none) {
-          actions.emplace_back(face.face, Action{end.border_vertex, function, face.to_vertex});
-          actions.emplace_back(face.face, Action{end.inner_vertex, function + 1, face.to_vertex});
+          actions.emplace_back(face.face, Action{cut.original_vertex(end.corner), function, face.to_vertex});
+          actions.emplace_back(face.face, Action{cut.original_vertex(end.inner_vertex), function + 1, face.to_vertex});
         }
     });
   }
@@ -224,39 +251,51 @@ private:
     m_cone_face_of_face.assign(m_arrays.number_of_faces(), none);
     m_corner_face_of_face.assign(m_arrays.number_of_faces(), none);
     std::map<int, std::shared_ptr<const Evaluator>> evaluators; // per valence
-    std::map<int, std::shared_ptr<const Corner_patches<FT>>> patches;
-    const auto of_valence = [](auto& shared, const int valence) {
-      using T = typename std::decay_t<decltype(shared)>::mapped_type::element_type;
-      auto& result = shared[valence];
+    std::map<std::pair<int, Border_turn>, std::shared_ptr<const Corner_patches<FT>>> patches;
+    const auto shared = [](auto& all, const auto key, const auto&... arguments) {
+      using T = typename std::decay_t<decltype(all)>::mapped_type::element_type;
+      auto& result = all[key];
       if (result == nullptr)
-        result = std::make_shared<T>(valence);
+        result = std::make_shared<T>(arguments...);
       return result;
     };
-    for (const Regular_rings<KnotFT>& rings : structure.rings())
-      for (int sector = 0; sector < rings.valence(); ++sector) {
-        const int h = m_arrays.prev(rings.bottom(sector, 0, 0)), face = m_arrays.face(h);
-        const Vertex_quarter<FT> quarter{h, false, FT(1) / m_arrays.width(face)};
-        const Similarity_2<FT> to_unit_square = frame_of_quarter(m_arrays, quarter, 0);
+    const Arrays& cut = structure.arrays();
+    const auto originals = [&](std::vector<int> vertices) {
+      for (int& v : vertices)
+        v = cut.original_vertex(v);
+      return vertices;
+    };
+    for (const Regular_rings<KnotFT>& rings : structure.rings()) {
+      const int valence = rings.valence();
+      const Border_turn turn =
+          structure.is_end_of_slit(rings.vertex(0, 0, 0)) ? Border_turn::SLIT : Border_turn::CORNER;
+      for (int sector = 0; sector < valence; ++sector) {
+        const int h = cut.prev(rings.bottom(sector, 0, 0)), face = cut.face(h);
+        const Vertex_quarter<FT> quarter{h, false, FT(1) / cut.width(face)};
+        const Similarity_2<FT> to_unit_square = frame_of_quarter(cut, quarter, 0);
         if (rings.is_on_border()) {
           m_corner_face_of_face[face] = static_cast<int>(m_corner_faces.size());
-          m_corner_faces.push_back(
-              {sector, to_unit_square, rings.corner_controls(), of_valence(patches, rings.valence())});
+          m_corner_faces.push_back({sector, to_unit_square, originals(rings.corner_controls()),
+                                    shared(patches, std::make_pair(valence, turn), valence, turn)});
         }
         else {
           m_cone_face_of_face[face] = static_cast<int>(m_cone_faces.size());
           m_cone_faces.push_back(
-              {face, to_unit_square, rings.controls(sector), of_valence(evaluators, rings.valence())});
+              {face, to_unit_square, originals(rings.controls(sector)), shared(evaluators, valence, valence)});
         }
       }
+    }
   }
 
   Arrays m_arrays;
-  std::vector<std::array<Cubic_b_spline<FT>, 2>> m_functions; // per vertex; then those beyond natural ends
-  std::vector<std::size_t> m_first_action;                    // per face
+  // Per vertex between creases; then halves of peaks, and those beyond corners.
+  std::vector<std::array<Cubic_b_spline<FT>, 2>> m_functions;
+  std::vector<std::size_t> m_first_action; // per face
   std::vector<Action> m_actions;
   std::vector<int> m_cone_face_of_face, m_corner_face_of_face;
   std::vector<Cone_face> m_cone_faces;
   std::vector<Corner_face> m_corner_faces;
+  std::vector<std::vector<int>> m_border_corners;
 };
 
 } // namespace internal

@@ -163,10 +163,11 @@ private:
 
   void search(const Vertex_quarter<FT>& quarter, const int q, const Basis_knots<FT>& knots)
   {
-    const auto &u = knots.knots[0], &v = knots.knots[1];
+    const Axis_knots<FT>&u = knots.axes[0], &v = knots.axes[1];
     const bool is_right = q == 0 || q == 3, is_upper = q < 2;
     const FT zero(0);
-    m_rectangle = {{is_right ? zero : u[0], is_upper ? zero : v[0]}, {is_right ? u[4] : zero, is_upper ? v[4] : zero}};
+    m_rectangle = {{is_right ? zero : u.begin(), is_upper ? zero : v.begin()},
+                   {is_right ? u.end() : zero, is_upper ? v.end() : zero}};
     m_queue.clear();
     add({m_t_mesh.face(quarter.h), frame_of_quarter(m_t_mesh, quarter, q)});
     while (!m_queue.empty()) {

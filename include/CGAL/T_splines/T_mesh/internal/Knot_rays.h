@@ -15,12 +15,22 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// What a vertex does to rays that reach it.
-enum class Vertex_kind : char {
-  REGULAR,       ///< they go on, or leave the surface
-  EXTRAORDINARY, ///< beyond it the knots are uniform
-  NATURAL_END    ///< on the border in the first two rings of a corner that turns inwards: likewise, beyond the border
+/// What a vertex does to rays that reach it: at a regular one they go on, or leave the surface.
+struct Vertex_kind {
+  bool is_extraordinary = false; ///< beyond it the knots are uniform
+  bool is_beside_corner = false; ///< on the border in the first two rings of a corner that turns inwards
+  bool is_natural = false;       ///< the border there is a natural end for lines across it
+  bool ends_lines = false;       ///< lines along the border end there, although it may go straight on
+  bool is_on_border = false;     ///< of the surface, not only of one of its parts between creases
 };
+
+/// Whether a line along an edge of the border has a natural end at a vertex where it ends: along a crease, so that it is
+/// the same on both sides, except on the border of the surface; along this, where it ends at a crease.
+template <typename FT>
+bool ends_naturally(const T_mesh_arrays<FT>& t_mesh, const int edge, const Vertex_kind& end)
+{
+  return t_mesh.is_crease(edge) ? !end.is_on_border : end.is_natural && !end.ends_lines;
+}
 
 /// What a ray from a vertex meets: the distances of its first intersections with vertices and orthogonal edges.
 template <typename FT>
@@ -28,16 +38,19 @@ struct Knot_ray {
   static constexpr int no_border = 4;
 
   std::array<FT, 3> distance{}; ///< the third one is only looked for if the T-mesh has a border
-  int border = no_border; ///< the ray leaves the surface at intersection number `border`; 0: at the vertex itself.
-                          ///< A natural end does not count
+  int border = no_border;       ///< the ray leaves the surface at intersection number `border`; 0: at the vertex itself
+  bool is_natural = false;      ///< the border is a natural end
+  bool begins_line = false;     ///< it runs along the border, and its vertex is an end for lines there
+  bool begins_naturally = false; ///< this end is natural
   /// Per interval the halfedge of a face along which it was measured, or from whose edge across its face; -1 beyond a
   /// border or an extraordinary vertex.
   std::array<int, 3> halfedge{-1, -1, -1};
   std::array<bool, 3> is_across{};
 };
 
-/// Follows rays through a T-mesh ([CZ17] section 4.1.2, after Sederberg et al. 2003). Beyond an extraordinary vertex or
-/// a natural end a ray goes on by steps of the same length: there the knots are uniform.
+/// Follows rays through a T-mesh ([CZ17] section 4.1.2, after Sederberg et al. 2003). Beyond an extraordinary vertex a
+/// ray goes on by steps of the same length: there the knots are uniform. Natural ends are those at creases, and those
+/// next to corners of the border that turn inwards.
 template <typename FT>
 class Knot_ray_tracer {
   using Arrays = T_mesh_arrays<FT>;
@@ -77,6 +90,7 @@ private:
     Kind kind;
     int h;
     FT x, unit;
+    bool is_natural = false; // an end OUTSIDE
   };
 
   Knot_ray<FT> trace(Position position) const
@@ -104,6 +118,7 @@ private:
       ray.distance[i] = distance;
       if (position.kind == Position::OUTSIDE) {
         ray.border = i + 1;
+        ray.is_natural = position.is_natural;
         for (int k = i + 1; k < 3; ++k)
           ray.distance[k] = distance;
         return ray;
@@ -116,13 +131,24 @@ private:
   Position after_edge(const Position& position) const
   {
     const int g = position.h, w = m_t_mesh.target(g);
-    if (m_kinds[w] == Vertex_kind::EXTRAORDINARY)
+    if (m_kinds[w].is_extraordinary)
       return {Position::UNIFORM, g, FT(0), position.unit};
+    const bool is_along_border = m_t_mesh.is_border(g) || m_t_mesh.is_border(Arrays::opposite(g));
+    if (is_along_border && m_kinds[w].ends_lines)
+      return end_of_line(g, w, position.unit);
     if (m_t_mesh.is_border(g))
       return after_border_edge(position);
+    const int n = m_t_mesh.next(g);
     if (!m_t_mesh.is_corner(g))
-      return {Position::ALONG, m_t_mesh.next(g), FT(0), position.unit};
-    return clockwise_of(m_t_mesh.next(g), position.unit);
+      return {Position::ALONG, n, FT(0), position.unit};
+    if (is_along_border && m_t_mesh.is_border(Arrays::opposite(n)))
+      return end_of_line(g, w, position.unit);
+    return clockwise_of(n, position.unit);
+  }
+
+  Position end_of_line(const int edge, const int end, const FT& unit) const
+  {
+    return {Position::OUTSIDE, edge, FT(0), unit, ends_naturally(m_t_mesh, edge, m_kinds[end])};
   }
 
   // The position behind the halfedge n, whose source the ray has reached: n points to the left of the ray. The unit is
@@ -131,7 +157,7 @@ private:
   {
     const int o = Arrays::opposite(n);
     if (m_t_mesh.is_border(o))
-      return {is_natural_end(m_t_mesh.source(n)) ? Position::UNIFORM : Position::OUTSIDE, n, FT(0), unit};
+      return {Position::OUTSIDE, n, FT(0), unit, m_kinds[m_t_mesh.source(n)].is_natural};
     const FT unit_behind = unit / m_t_mesh.ratio(n);
     if (m_t_mesh.is_corner(o))
       return {Position::ALONG, m_t_mesh.next(o), FT(0), unit_behind};
@@ -146,7 +172,7 @@ private:
       return along_opposite(i, position.unit);
     const int o = Arrays::opposite(i);
     if (m_t_mesh.is_border(o))
-      return {Position::OUTSIDE, i, FT(0), position.unit};
+      return end_of_line(position.h, m_t_mesh.target(position.h), position.unit);
     const FT unit = position.unit / m_t_mesh.ratio(i);
     const int j = m_t_mesh.prev(o);
     if (m_t_mesh.is_corner(j))
@@ -169,20 +195,19 @@ private:
     while (!m_t_mesh.is_corner(e) && x > m_t_mesh.end(e) + eps)
       e = m_t_mesh.next(e);
     if (!m_t_mesh.is_corner(e) && x >= m_t_mesh.end(e) - eps) { // a vertex
-      if (m_kinds[m_t_mesh.target(e)] == Vertex_kind::EXTRAORDINARY)
+      if (m_kinds[m_t_mesh.target(e)].is_extraordinary)
         return {Position::UNIFORM, e, FT(0), position.unit};
       return clockwise_of(m_t_mesh.next(e), position.unit);
     }
     const int o = Arrays::opposite(e);
     if (m_t_mesh.is_border(o)) {
-      const bool is_natural = is_natural_end(m_t_mesh.source(e)) || is_natural_end(m_t_mesh.target(e));
-      return {is_natural ? Position::UNIFORM : Position::OUTSIDE, e, FT(0), position.unit};
+      const bool is_natural = m_t_mesh.is_crease(e) || m_kinds[m_t_mesh.source(e)].is_beside_corner ||
+                              m_kinds[m_t_mesh.target(e)].is_beside_corner;
+      return {Position::OUTSIDE, e, FT(0), position.unit, is_natural};
     }
     const FT ratio = m_t_mesh.ratio(e);
     return {Position::INSIDE, o, FT(m_t_mesh.begin(o) + FT(m_t_mesh.end(e) - x) * ratio), FT(position.unit / ratio)};
   }
-
-  bool is_natural_end(const int v) const { return m_kinds[v] == Vertex_kind::NATURAL_END; }
 
   const Arrays& m_t_mesh;
   const std::vector<Vertex_kind>& m_kinds;

@@ -116,8 +116,8 @@ private:
       const halfedge_descriptor h = link.h;
       if (is_border(h) || is_border(opposite(h, m_graph)))
         return line.empty() ? Status::NO_FACE : Status::NO_FREE_LINE;
-      if (m_surgery.t_mesh().is_constrained(h))
-        return Status::CONSTRAINED_EDGE;
+      if (m_surgery.t_mesh().is_crease(h))
+        return Status::CREASE;
       if (is_fixed(target(h, m_graph)))
         return Status::FIXED_VERTEX;
       line.push_back(link);

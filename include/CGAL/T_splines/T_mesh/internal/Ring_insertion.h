@@ -34,8 +34,8 @@ namespace internal {
 /// outermost one, which may be any face. The first of the two cuts goes through the whole face: it is the edge extended
 /// at the outer corner of the rings. Where no other rings are in the way, the line of the second ring beside it does,
 /// too: then there are as many faces, and no support comes from the opposite corner of the sector (condition B).
-/// Lengths at a vertex are measured in its common unit, that of the face of its first sector. The sectors of a vertex on
-/// the border, where this turns inwards, are those from border to border.
+/// Lengths at a vertex are measured in its common unit, that of the face of its first sector. Borders and creases divide
+/// the sectors of a vertex into fans; one between two of them gets rings if it turns inwards.
 /// \tparam Splits `Counted_splits`
 template <typename Splits>
 class Ring_insertion {
@@ -48,6 +48,7 @@ class Ring_insertion {
   struct Sector {
     halfedge_descriptor h;
     FT unit;
+    bool has_rings; // its fan does
   };
   using Sectors = boost::container::small_vector<Sector, 8>;
 
@@ -108,8 +109,8 @@ private:
   // Whether rings belong around a vertex.
   bool is_centre(const vertex_descriptor v) const
   {
-    const int valence = extended_valence(v, m_splits.t_mesh());
-    return is_border(v) ? valence > 2 : valence != 4;
+    const Sectors around = sectors(v);
+    return std::any_of(around.begin(), around.end(), [](const Sector& sector) { return sector.has_rings; });
   }
 
   // Whether the border is ahead where a spoke ends.
@@ -123,11 +124,15 @@ private:
   // Extends an edge at v through a face that goes straight on there.
   bool extend_at(const vertex_descriptor v)
   {
-    const auto& graph = m_splits.graph();
-    for (const halfedge_descriptor h : CGAL::halfedges_around_target(halfedge(v, graph), graph))
-      if (!CGAL::is_border(h, graph) && !is_corner(h))
-        return m_splits.extend(h);
+    for (const Sector& sector : sectors(v))
+      if (sector.has_rings && !is_corner(sector.h))
+        return m_splits.extend(sector.h);
     return false;
+  }
+
+  bool ends_fan(const halfedge_descriptor h) const
+  {
+    return CGAL::is_border_edge(h, m_splits.graph()) || m_splits.t_mesh().is_crease(h);
   }
 
   // Splits keep halfedge(v) where it is among the edges of v, and do not change the units of faces.
@@ -137,26 +142,41 @@ private:
     Sectors result;
     FT unit(1);
     const halfedge_descriptor first = first_of_sectors(v);
+    const bool is_divided = ends_fan(next(first, graph));
+    std::size_t fan = 0; // its first sector
+    int quarters = 0;
     halfedge_descriptor h = first;
-    do {
-      result.push_back({h, unit});
+    for (;;) {
+      result.push_back({h, unit, false});
+      quarters += is_corner(h) ? 1 : 2;
       const halfedge_descriptor o = opposite(h, graph);
-      if (CGAL::is_border(o, graph))
-        break;
+      const bool is_border_ahead = CGAL::is_border(o, graph);
+      const bool is_last = is_border_ahead || prev(o, graph) == first;
+      if (is_last || ends_fan(h)) {
+        for (const bool has_rings = is_divided ? quarters > 2 : quarters != 4; fan < result.size(); ++fan)
+          result[fan].has_rings = has_rings;
+        quarters = 0;
+      }
+      if (is_last)
+        return result;
       unit *= knot(h) / knot(o);
       h = prev(o, graph);
-    } while (h != first);
-    return result;
+    }
   }
 
-  // On the border, of the first face after it, counter-clockwise.
+  // On the border, of the first face after it, counter-clockwise; or else after a crease.
   halfedge_descriptor first_of_sectors(const vertex_descriptor v) const
   {
     const auto& graph = m_splits.graph();
-    for (const halfedge_descriptor h : CGAL::halfedges_around_target(halfedge(v, graph), graph))
+    const halfedge_descriptor first = halfedge(v, graph);
+    halfedge_descriptor result = CGAL::is_border(first, graph) ? prev(opposite(first, graph), graph) : first;
+    for (const halfedge_descriptor h : CGAL::halfedges_around_target(first, graph)) {
       if (CGAL::is_border(h, graph))
         return prev(opposite(h, graph), graph);
-    return halfedge(v, graph);
+      if (m_splits.t_mesh().is_crease(h))
+        result = prev(opposite(h, graph), graph);
+    }
+    return result;
   }
 
   // One more than sectors on the border.
@@ -192,7 +212,7 @@ private:
         bound(ends_at_border(spoke) ? FT(spoke.length * FT(3) / FT(4)) : spoke.length);
     }
     for (const Sector& sector : around)
-      if (is_centre(target(corners_of_face(sector.h)[2], graph))) {
+      if (sector.has_rings && is_centre(target(corners_of_face(sector.h)[2], graph))) {
         const FT width = coordinates().side_length(next(sector.h, graph)), height = coordinates().side_length(sector.h);
         bound((std::max)(width, height) * sector.unit / FT(2));
       }
@@ -257,10 +277,9 @@ private:
     for (const Spoke& spoke : spokes(before))
       if (plan.unit * FT(3) > spoke.length)
         plan.unit = spoke.length / FT(3);
-    for (std::size_t i = 0; i < before.size(); ++i) {
-      const FT unit = plan.unit / before[i].unit;
-      insert(plan.v, i, unit);
-    }
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (before[i].has_rings)
+        insert(plan.v, i, FT(plan.unit / before[i].unit));
   }
 
   // The first direction of a sector in the frame of its face.

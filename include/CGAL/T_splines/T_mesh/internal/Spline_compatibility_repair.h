@@ -67,6 +67,7 @@ class Spline_compatibility_repair {
   using SurfaceFT = typename std::conditional<is_exact_number_type<FT>, double, FT>::type;
   using Support = Basis_support<SurfaceFT>;
   using vertex_descriptor = typename Splits::vertex_descriptor;
+  using halfedge_descriptor = typename Splits::halfedge_descriptor;
   using face_descriptor = typename Splits::face_descriptor;
   using Status = Spline_compatibility_status;
   using Indexing = Mesh_indexing<Graph>;
@@ -117,6 +118,13 @@ private:
     explicit State(Splits& splits) : indexing(splits.graph()), structure(indexing, splits.t_mesh(), splits.progress())
     {
     }
+
+    // In the graph, which is not cut along creases.
+    vertex_descriptor vertex(const int v) const { return indexing.vertex(structure.vertex_in_graph(v)); }
+    halfedge_descriptor halfedge(const int h) const
+    {
+      return indexing.halfedge(structure.knot_arrays().original_halfedge(h));
+    }
   };
 
   template <typename KnotFT>
@@ -146,7 +154,7 @@ private:
       return Result::DONE;
     m_candidates = m_splits.touched().new_vertices();
     for (const int v : defects)
-      m_candidates.push_back(state.indexing.vertex(v));
+      m_candidates.push_back(state.vertex(v));
     return m_splits.count() != before || !m_cones_to_do.empty() ? Result::CHANGED : Result::STUCK;
   }
 
@@ -156,7 +164,7 @@ private:
   {
     std::vector<vertex_descriptor> cones;
     for (const Spline_defect& defect : state.structure.ring_defects())
-      cones.push_back(state.indexing.vertex(defect.vertex));
+      cones.push_back(state.vertex(defect.vertex));
     for (const vertex_descriptor v : m_cones_to_do)
       if (std::find(cones.begin(), cones.end(), v) == cones.end())
         cones.push_back(v);
@@ -191,10 +199,13 @@ private:
       std::iota(state.candidates.begin(), state.candidates.end(), 0);
       return;
     }
+    const auto& arrays = state.structure.arrays();
+    std::vector<char> is_candidate(arrays.number_of_original_vertices(), 0);
     for (const vertex_descriptor v : m_candidates)
-      state.candidates.push_back(state.indexing.vertex_index(v));
-    std::sort(state.candidates.begin(), state.candidates.end());
-    state.candidates.erase(std::unique(state.candidates.begin(), state.candidates.end()), state.candidates.end());
+      is_candidate[state.indexing.vertex_index(v)] = 1;
+    for (int v = 0; v < arrays.number_of_vertices(); ++v)
+      if (is_candidate[arrays.original_vertex(v)] != 0)
+        state.candidates.push_back(v);
   }
 
   // Finds the knots of the candidates. Returns those that see too few intervals, or border too close to rings.
@@ -240,7 +251,7 @@ private:
     const Vertex_rays<KnotFT> rays = state.structure.rays(defect.vertex);
     for (const Knot_ray<KnotFT>& ray : rays)
       if (ray.border < 3 && halve_interval(state, ray, ray.border - 1) == Split::IMPOSSIBLE)
-        m_cones_to_do.push_back(state.indexing.vertex(defect.extraordinary_vertex));
+        m_cones_to_do.push_back(state.vertex(defect.extraordinary_vertex));
   }
 
   // Condition B.
@@ -291,7 +302,7 @@ private:
     const auto place_at = [&](const KnotFT& x) { return distance - rings_per_ray * CGAL::to_double(x); };
     const auto place = [&](const int i) { return i < 0 ? distance : place_at(ray.distance[i]); };
     const double first = 1 - round_off_of_rings;
-    View result{direction, distance, rings_per_ray, place_at(axis_knots(ray, rays[(direction + 2) % 4])[4]) >= first,
+    View result{direction, distance, rings_per_ray, place_at(axis_knots(ray, rays[(direction + 2) % 4]).t[4]) >= first,
                 0,         0,        distance,      2,
                 0};
     while (result.intersections < 2 && place(result.intersections) >= first)
@@ -326,10 +337,10 @@ private:
             split_interval(state, rays[v.direction], v) != Split::IMPOSSIBLE)
           return;
       const int in_the_way = cone_of_rays(state, rays);
-      m_cones_to_do.push_back(state.indexing.vertex(in_the_way != none ? in_the_way : defect.extraordinary_vertex));
+      m_cones_to_do.push_back(state.vertex(in_the_way != none ? in_the_way : defect.extraordinary_vertex));
       return;
     }
-    m_cones_to_do.push_back(state.indexing.vertex(defect.vertex));
+    m_cones_to_do.push_back(state.vertex(defect.vertex));
   }
 
   // Splits a face across a ray, at a place where it has a vertex, or a short fraction of its side.
@@ -398,7 +409,7 @@ private:
       }
     }
     if (!is_divided && cone != none)
-      m_cones_to_do.push_back(state.indexing.vertex(cone));
+      m_cones_to_do.push_back(state.vertex(cone));
   }
 
   // Splits the longest of the intervals on both sides of a vertex, outside of rings.
@@ -447,7 +458,7 @@ private:
     const auto f = state.indexing.face(arrays.face(h));
     if (m_splits.touched().is_touched(f))
       return Split::LATER;
-    const auto g = state.indexing.halfedge(h);
+    const auto g = state.halfedge(h);
     const int direction = (arrays.side(h) + (ray.is_across[i] ? 1 : 0)) % 4;
     const FT middle = ray.is_across[i] ? FT(coordinates.side_length(coordinates.first_of_side(f, direction)) / FT(2))
                                        : FT(coordinates.place(g).begin + FT(m_splits.t_mesh().knot(g)) / FT(2));

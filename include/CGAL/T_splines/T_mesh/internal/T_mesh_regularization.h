@@ -223,7 +223,7 @@ private:
       halfedge_descriptor h = m_editor.coordinates().first_of_side(f, side);
       while (true) {
         const face_descriptor g = face(opposite(h, m_graph), m_graph);
-        if (g != Traits::null_face() && g != f && !m_t_mesh.is_constrained(h)) {
+        if (g != Traits::null_face() && g != f && !m_t_mesh.is_crease(h)) {
           const auto overlap = m_editor.overlap(h);
           is_found = find_removal(overlap, sizes(overlap), purpose, best) || is_found;
           h = overlap.last;
@@ -358,7 +358,7 @@ private:
     return bool(m_editor.remove_partly(r.h, from, to));
   }
 
-  // Divides a face between constrained edges, which cannot become wider: at the vertex of its long sides that is closest
+  // Divides a face between creases, which cannot become wider: at the vertex of its long sides that is closest
   // to their middle, if there is one near by.
   bool divide(const face_descriptor f)
   {
@@ -370,11 +370,11 @@ private:
     const FT size = is_wide ? m_editor.coordinates().width(f) : m_editor.coordinates().height(f);
     FT best = size / FT(2);
     double best_distance = CGAL::to_double(size) * (0.5 - nearest_to_end);
-    bool is_constrained = false;
+    bool has_crease = false;
     for (const int side : {axis, axis + 2}) {
       FT x(0);
       for (halfedge_descriptor h = m_editor.coordinates().first_of_side(f, side);; h = next(h, m_graph)) {
-        is_constrained = is_constrained || m_t_mesh.is_constrained(h);
+        has_crease = has_crease || m_t_mesh.is_crease(h);
         if (m_t_mesh.is_corner(h))
           break;
         x += FT(m_t_mesh.knot(h));
@@ -386,7 +386,7 @@ private:
         }
       }
     }
-    return is_constrained && bool(m_editor.split_face(f, axis, best));
+    return has_crease && bool(m_editor.split_face(f, axis, best));
   }
 
   // Whether lines end at both ends of the edge of h, on opposite sides: on its own side at its target if is_forward, at

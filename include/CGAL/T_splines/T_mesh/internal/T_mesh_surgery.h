@@ -70,7 +70,7 @@ public:
     if (halfedge(source, m_graph) == o)
       set_halfedge(source, m, m_graph);
 
-    m_t_mesh.set_constrained(n, m_t_mesh.is_constrained(h));
+    m_t_mesh.set_crease(n, m_t_mesh.is_crease(h));
     const FT knot = m_t_mesh.knot(h);
     m_t_mesh.set_knot(n, x);
     m_t_mesh.set_knot(h, FT(knot - x));
@@ -94,7 +94,7 @@ public:
   }
 
   // Removes the vertex at which h ends; h reaches over the next edge then.
-  // pre: has_two_edges(h), both faces go straight on there; both edges are constrained or neither is
+  // pre: has_two_edges(h), both faces go straight on there; both edges are creases or neither is
   void join_edges(const halfedge_descriptor h)
   {
     const halfedge_descriptor n = next(h, m_graph), m = opposite(n, m_graph), o = opposite(h, m_graph);
@@ -139,7 +139,7 @@ public:
       m_t_mesh.set_corner(h, true);
     m_t_mesh.set_knot(n, length);
     m_t_mesh.set_knot(m, length);
-    m_t_mesh.set_constrained(n, false);
+    m_t_mesh.set_crease(n, false);
     set_face(n, f, m_graph);
     for (const halfedge_descriptor h : CGAL::halfedges_around_face(m, m_graph))
       set_face(h, g, m_graph);

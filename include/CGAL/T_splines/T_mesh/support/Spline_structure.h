@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -34,6 +35,9 @@ struct Spline_defect {
 
 /// The basis functions of an admissible T-mesh: extraordinary vertices with their rings, knots, supports; and whether
 /// the conditions of [CZ17] 4.1.3 hold.
+///
+/// The T-mesh is cut along its creases: the parts on both sides have the control points of the crease in common, and
+/// nothing else. So vertices are those of `T_mesh_arrays::cut_along_creases()`, in all that follows.
 ///
 /// Rays are followed in the number type of the knots, so that they hit vertices exactly if the knots are exact.
 /// Transitions are composed in the number type of the surface: the knots that the basis functions have do not depend on
@@ -60,6 +64,12 @@ public:
     m_progress.go_on();
     if constexpr (!std::is_same<KnotFT, FT>::value)
       m_arrays = Arrays(indexing, t_mesh);
+    find_surface_border();
+    if (m_knot_arrays.has_creases()) {
+      m_uncut = arrays();
+      m_knot_arrays = m_knot_arrays.cut_along_creases();
+      m_arrays = m_arrays.cut_along_creases();
+    }
     classify_vertices();
   }
   Spline_structure(const Spline_structure&) = delete; // the rings refer to the arrays
@@ -74,10 +84,40 @@ public:
   }
 
   const Knot_arrays& knot_arrays() const { return m_knot_arrays; }
+  /// The vertex of the T-mesh of which a vertex is a part.
+  int vertex_in_graph(const int v) const { return m_knot_arrays.original_vertex(v); }
+
+  /// A defect with its vertices as those of the T-mesh.
+  Spline_defect in_graph(Spline_defect defect) const
+  {
+    for (int* const v : {&defect.vertex, &defect.extraordinary_vertex})
+      if (*v >= 0)
+        *v = vertex_in_graph(*v);
+    return defect;
+  }
+
+  /// Those of the T-mesh with its creases, before it was cut.
+  const Arrays& uncut_arrays() const { return m_uncut ? *m_uncut : arrays(); }
   bool has_border() const { return m_has_border; }
   const std::vector<int>& extraordinary_vertices() const { return m_extraordinary_vertices; }
-  bool is_extraordinary(const int v) const { return m_kinds[v] == Vertex_kind::EXTRAORDINARY; }
+  bool is_extraordinary(const int v) const { return m_kinds[v].is_extraordinary; }
   bool is_isolated(const int v) const { return m_valence[v] == 0; } ///< it has no faces, and no basis function
+
+  /// Whether lines along the border end at a vertex of it.
+  bool is_border_corner(const int v) const
+  {
+    return !is_isolated(v) && m_knot_arrays.is_border_vertex(v) && (m_valence[v] != 2 || m_kinds[v].ends_lines);
+  }
+
+  /// Whether a crease ends at an extraordinary vertex of a border that turns inwards, and is on both sides of it: or else,
+  /// whether the border of the surface turns by a full turn or more.
+  bool is_end_of_slit(const int v) const
+  {
+    const int original = m_knot_arrays.original_vertex(v);
+    if (m_number_of_creases[original] == 0)
+      return m_valence[v] > 3;
+    return m_number_of_creases[original] == 1 && !m_kinds[v].is_on_border;
+  }
 
   /// The halfedge of a face that ends at an extraordinary vertex, where the face has a corner; or `none`.
   int corner_of_face(const int f) const { return m_corner_of_face[f]; }
@@ -91,7 +131,7 @@ public:
     for (int v = 0; v < m_knot_arrays.number_of_vertices(); ++v) {
       if (is_isolated(v) || !m_knot_arrays.is_border_vertex(v))
         continue;
-      if (m_number_of_fans[v] > 1)
+      if (m_number_of_fans[m_knot_arrays.original_vertex(v)] > 1)
         return {Status::TOUCHING_BORDERS, v};
     }
     return {};
@@ -167,7 +207,7 @@ public:
     for (const Regular_rings<KnotFT>& rings : m_rings)
       for (int sector = 0; sector < rings.valence(); ++sector)
         for (const int v : rings.second_ring(sector)) {
-          if (!is_uniform(m_knots[v].knots[0]) || !is_uniform(m_knots[v].knots[1]))
+          if (!is_uniform(m_knots[v].axes[0].t) || !is_uniform(m_knots[v].axes[1].t))
             result.push_back({Status::BORDER_IN_RINGS, v, rings.vertex(sector, 0, 0)});
         }
     return result;
@@ -197,29 +237,23 @@ public:
     return {};
   }
 
-  /// A basis function beyond a natural end. Its control point would be 2 p - q, with those of two vertices: then the
-  /// border of the surface depends on control points of the border alone.
-  struct Natural_end {
-    int border_vertex, inner_vertex; ///< p and q
-    Basis_knots<FT> knots;           ///< in the frame in which its support is found
+  /// A basis function beyond the border at a corner that turns inwards, of which the natural end does not belong to all
+  /// quarters. Its control point would be 2 p - q, with those of two vertices.
+  struct Corner_end {
+    int corner, inner_vertex; ///< p and q
+    Basis_knots<FT> knots;    ///< in the frame in which its support is found
   };
 
-  /// Calls `sink(end, support)` for all natural ends: beyond each corner that turns inwards, and the first two vertices
-  /// along both sides of it. Faces at the corner are left out. \pre conditions A and B hold
+  /// Calls `sink(end, support)` for both ends at each corner that turns inwards. Faces at the corner are left out.
+  /// \pre conditions A and B hold
   template <typename Sink>
-  void find_natural_ends(const Sink& sink) const
+  void find_corner_ends(const Sink& sink) const
   {
     const Ring_controls<FT> controls = ring_controls();
     Basis_support<FT> support(arrays(), controls);
     for (const Regular_rings<KnotFT>& rings : m_rings)
-      if (rings.is_on_border()) {
-        const int last = rings.valence() - 1;
-        find_natural_ends_at_corner(rings, support, sink);
-        for (int x = 1; x <= 2; ++x) {
-          find_natural_end(rings.vertex(0, x, 0), rings.vertex(0, x, 1), support, sink);
-          find_natural_end(rings.vertex(last, 0, x), rings.vertex(last, 1, x), support, sink);
-        }
-      }
+      if (rings.is_on_border())
+        find_corner_ends(rings, support, sink);
   }
 
   /// Calls `sink(defect, support)` for those of the vertices that violate B. \pre their knots are found
@@ -242,11 +276,8 @@ private:
   void classify_vertices()
   {
     m_valence.resize(m_knot_arrays.number_of_vertices());
-    m_kinds.resize(m_knot_arrays.number_of_vertices(), Vertex_kind::REGULAR);
+    m_kinds.resize(m_knot_arrays.number_of_vertices());
     m_corner_of_face.assign(m_knot_arrays.number_of_faces(), none);
-    m_number_of_fans.assign(m_knot_arrays.number_of_vertices(), 0);
-    for (int h = 0; h < m_knot_arrays.number_of_halfedges(); ++h)
-      m_number_of_fans[m_knot_arrays.target(h)] += m_knot_arrays.is_border(h);
     for (int v = 0; v < m_knot_arrays.number_of_vertices(); ++v) {
       if (m_knot_arrays.incoming(v) == none)
         continue;
@@ -255,7 +286,7 @@ private:
       m_valence[v] = m_knot_arrays.extended_valence(v);
       if (is_border ? m_valence[v] <= 2 : m_valence[v] == 4)
         continue;
-      m_kinds[v] = Vertex_kind::EXTRAORDINARY;
+      m_kinds[v].is_extraordinary = true;
       m_extraordinary_vertices.push_back(v);
       m_knot_arrays.for_each_incoming(v, [&](const int h) {
         if (m_knot_arrays.is_corner(h))
@@ -264,15 +295,47 @@ private:
     }
     for (const int v : m_extraordinary_vertices)
       if (m_knot_arrays.is_border_vertex(v))
-        mark_natural_ends(v);
+        mark_beside_corner(v);
+    classify_creases();
+  }
+
+  // Before creases are cut.
+  void find_surface_border()
+  {
+    m_number_of_fans.assign(m_knot_arrays.number_of_vertices(), 0);
+    for (int h = 0; h < m_knot_arrays.number_of_halfedges(); ++h)
+      m_number_of_fans[m_knot_arrays.target(h)] += m_knot_arrays.is_border(h);
+  }
+
+  // A crease goes on through a vertex if it is the only one and goes straight on, seen from both sides.
+  void classify_creases()
+  {
+    std::vector<char> is_end(m_knot_arrays.number_of_original_vertices(), 0);
+    m_number_of_creases.assign(is_end.size(), 0);
+    for (int h = 0; h < m_knot_arrays.number_of_halfedges(); ++h)
+      if (m_knot_arrays.is_crease(h) && m_knot_arrays.is_border(h)) {
+        ++m_number_of_creases[m_knot_arrays.original_vertex(m_knot_arrays.target(h))];
+        for (const int v : {m_knot_arrays.source(h), m_knot_arrays.target(h)})
+          m_kinds[v].is_natural = true;
+      }
+    for (int v = 0; v < m_knot_arrays.number_of_vertices(); ++v)
+      if (m_kinds[v].is_natural && m_valence[v] != 2)
+        is_end[m_knot_arrays.original_vertex(v)] = 1;
+    for (int v = 0; v < m_knot_arrays.number_of_vertices(); ++v) {
+      const int original = m_knot_arrays.original_vertex(v);
+      m_kinds[v].is_natural = m_kinds[v].is_natural || m_kinds[v].is_beside_corner;
+      m_kinds[v].is_on_border = m_number_of_fans[original] > 0;
+      m_kinds[v].ends_lines = m_number_of_creases[original] > 0 &&
+                              (m_kinds[v].is_on_border || is_end[original] != 0 || m_number_of_creases[original] != 2);
+    }
   }
 
   // The first two vertices on both sides along the border.
-  void mark_natural_ends(const int v)
+  void mark_beside_corner(const int v)
   {
     const auto mark = [&](const int w) {
       if (m_valence[w] == 2)
-        m_kinds[w] = Vertex_kind::NATURAL_END;
+        m_kinds[w].is_beside_corner = true;
     };
     const int before = Arrays::opposite(m_knot_arrays.next(m_knot_arrays.incoming(v))); // to v along the border
     mark(m_knot_arrays.source(before));
@@ -322,37 +385,25 @@ private:
     return {};
   }
 
-  // The surface is on the left of the border: the second axis points inwards.
-  template <typename Sink>
-  void find_natural_end(const int border_vertex, const int inner_vertex, Basis_support<FT>& support,
-                        const Sink& sink) const
-  {
-    const Basis_knots<FT>& knots = m_knots[border_vertex];
-    const Natural_end end{border_vertex, inner_vertex, {{knots.knots[0], knots_beyond(knots.knots[1])}}};
-    support.find(border_vertex, Vertex_quarters<FT>(arrays(), border_vertex), end.knots);
-    sink(end, support);
-  }
-
   // In the frames of the first and of the last quarter: elsewhere they do not act.
   template <typename Sink>
-  void find_natural_ends_at_corner(const Regular_rings<KnotFT>& rings, Basis_support<FT>& support,
-                                   const Sink& sink) const
+  void find_corner_ends(const Regular_rings<KnotFT>& rings, Basis_support<FT>& support, const Sink& sink) const
   {
     const int v = rings.vertex(0, 0, 0), last = rings.valence() - 1;
     const Vertex_quarters<FT> quarters(arrays(), v);
-    const std::array<FT, 5>&uniform = m_knots[v].knots[0], beyond = knots_beyond(uniform);
-    const Natural_end first{v, rings.vertex(0, 0, 1), {{uniform, beyond}}},
-        second{v, rings.vertex(last, 1, 0), {{beyond, uniform}}};
+    const Axis_knots<FT>&uniform = m_knots[v].axes[0], beyond = knots_beyond(uniform);
+    const Corner_end first{v, rings.vertex(0, 0, 1), {{{uniform, beyond}}}},
+        second{v, rings.vertex(last, 1, 0), {{{beyond, uniform}}}};
     support.find(v, std::array<Vertex_quarter<FT>, 1>{quarters[0]}, first.knots);
     sink(first, support);
     support.find(v, std::array<Vertex_quarter<FT>, 1>{quarters[last]}, second.knots);
     sink(second, support);
   }
 
-  static std::array<FT, 5> knots_beyond(std::array<FT, 5> uniform)
+  static Axis_knots<FT> knots_beyond(Axis_knots<FT> uniform)
   {
-    const FT d = uniform[3];
-    for (FT& x : uniform)
+    const FT d = uniform.t[3];
+    for (FT& x : uniform.t)
       x -= d;
     return uniform;
   }
@@ -360,17 +411,23 @@ private:
   static Basis_knots<FT> converted(const Basis_knots<KnotFT>& knots)
   {
     Basis_knots<FT> result;
-    for (int axis = 0; axis < 2; ++axis)
+    for (int axis = 0; axis < 2; ++axis) {
+      const Axis_knots<KnotFT>& from = knots.axes[axis];
+      result.axes[axis] = {{}, from.before, from.after, from.is_peak};
       for (int i = 0; i < 5; ++i)
-        result.knots[axis][i] = converted_number<FT>(knots.knots[axis][i]);
+        result.axes[axis].t[i] = converted_number<FT>(from.t[i]);
+    }
     return result;
   }
 
   Progress& m_progress;
   Knot_arrays m_knot_arrays;
-  Arrays m_arrays; // empty if the number types are the same
+  Arrays m_arrays;               // empty if the number types are the same
+  std::optional<Arrays> m_uncut; // if there are creases
   bool m_has_border = false;
-  std::vector<int> m_valence, m_number_of_fans, m_extraordinary_vertices, m_corner_of_face;
+  std::vector<int> m_valence, m_extraordinary_vertices, m_corner_of_face;
+  std::vector<int> m_number_of_fans;    // per original vertex: between borders of the surface
+  std::vector<int> m_number_of_creases; // per original vertex
   std::vector<Vertex_kind> m_kinds;
   std::vector<Regular_rings<KnotFT>> m_rings;
   std::vector<Basis_knots<FT>> m_knots;

@@ -12,6 +12,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -24,7 +25,7 @@ namespace internal {
 template <typename FT>
 struct T_mesh_halfedge {
   int next = -1, prev = -1, target = -1, face = -1, side = -1;
-  bool is_corner = false;
+  bool is_corner = false, is_crease = false;
   FT knot = FT(0), begin = FT(0);
 };
 
@@ -42,6 +43,9 @@ std::vector<T_mesh_halfedge<FT>> t_mesh_halfedges(const Mesh_indexing<typename T
     result[i].target = indexing.vertex_index(target(h, graph));
     if (face(h, graph) == boost::graph_traits<typename TMesh::Graph>::null_face())
       continue;
+    const bool is_border_edge =
+        face(opposite(h, graph), graph) == boost::graph_traits<typename TMesh::Graph>::null_face();
+    result[i].is_crease = !is_border_edge && t_mesh.is_crease(h);
     result[i].face = indexing.face_index(face(h, graph));
     result[i].is_corner = t_mesh.is_corner(h);
     result[i].knot = converted_number<FT>(t_mesh.knot(h));
@@ -60,6 +64,9 @@ int halfedge_index_of_face(const Mesh_indexing<Graph>& indexing, const int f)
 /// Halfedges 2e and 2e + 1 are opposite. A face is [0, width] x [0, height] in its own units; its sides have the
 /// numbers 0 to 3 from the bottom, counter-clockwise, and so have the four directions +u, +v, -u, -v. At a border
 /// halfedge only connectivity has a meaning.
+///
+/// Edges of the border are no creases. `cut_along_creases()` makes a T-mesh with the same faces in
+/// which they are borders.
 /// \tparam FT the number type of lengths
 template <typename FT_>
 class T_mesh_arrays {
@@ -75,20 +82,45 @@ public:
   template <typename TMesh>
   T_mesh_arrays(const Mesh_indexing<typename TMesh::Graph>& indexing, const TMesh& t_mesh)
     : m_number_of_vertices(indexing.number_of_vertices()),
+      m_number_of_originals(indexing.number_of_vertices()),
+      m_number_of_original_halfedges(indexing.number_of_halfedges()),
       m_halfedges(t_mesh_halfedges<FT>(indexing, t_mesh)),
-      m_incoming(indexing.number_of_vertices(), none),
       m_faces(indexing.number_of_faces())
   {
-    for (int h = 0; h < number_of_halfedges(); ++h) {
-      if (!is_border(h))
-        m_incoming[target(h)] = h;
-    }
+    find_incoming();
     for (int f = 0; f < number_of_faces(); ++f)
       set_frame(f, halfedge_index_of_face(indexing, f));
-    // The fan at a border vertex begins at the border.
-    for (int h = 0; h < number_of_halfedges(); ++h)
-      if (!is_border(h) && is_border(opposite(next(h))))
-        m_incoming[target(h)] = h;
+  }
+
+  bool has_creases() const
+  {
+    return std::any_of(m_halfedges.begin(), m_halfedges.end(), [](const Halfedge& h) { return h.is_crease; });
+  }
+
+  /// The T-mesh with a border on both sides of each crease. Faces keep their numbers, and so do vertices and halfedges,
+  /// but for the copies that come after them: of a vertex one for each of the sectors between creases there, of an edge
+  /// a second one, whose even halfedge is what the odd one was in its face.
+  T_mesh_arrays cut_along_creases() const
+  {
+    T_mesh_arrays result(*this);
+    for (int h = 0; h < number_of_halfedges(); h += 2)
+      if (is_crease(h))
+        result.cut_edge(h);
+    result.divide_vertices();
+    result.find_incoming();
+    return result;
+  }
+
+  /// The vertex, before creases were cut, of which this is a copy.
+  int original_vertex(const int v) const
+  {
+    return v < m_number_of_originals ? v : m_original_of_copy[v - m_number_of_originals];
+  }
+  int number_of_original_vertices() const { return m_number_of_originals; }
+  /// The halfedge of the same face before creases were cut. \pre it is not a border halfedge
+  int original_halfedge(const int h) const
+  {
+    return h < m_number_of_original_halfedges ? h : m_original_of_edge[(h - m_number_of_original_halfedges) / 2];
   }
 
   int number_of_vertices() const { return m_number_of_vertices; }
@@ -104,6 +136,7 @@ public:
   int face(const int h) const { return m_halfedges[h].face; }
   bool is_border(const int h) const { return face(h) == none; }
   bool is_corner(const int h) const { return m_halfedges[h].is_corner; } ///< the face turns at the target
+  bool is_crease(const int h) const { return m_halfedges[h].is_crease; } ///< also of one that was cut
   int side(const int h) const { return m_halfedges[h].side; }
   const FT& knot(const int h) const { return m_halfedges[h].knot; }
   const FT& begin(const int h) const { return m_halfedges[h].begin; } ///< distance of the source from the side's begin
@@ -164,10 +197,71 @@ public:
   }
 
 private:
+  using Halfedge = T_mesh_halfedge<FT>;
+
   struct Face {
     std::array<int, 4> first;
     FT width, height;
   };
+
+  void find_incoming()
+  {
+    m_incoming.assign(m_number_of_vertices, none);
+    for (int h = 0; h < number_of_halfedges(); ++h) {
+      if (!is_border(h))
+        m_incoming[target(h)] = h;
+    }
+    // The fan at a border vertex begins at the border.
+    for (int h = 0; h < number_of_halfedges(); ++h)
+      if (!is_border(h) && is_border(opposite(next(h))))
+        m_incoming[target(h)] = h;
+  }
+
+  // Halfedge h keeps its place, its opposite becomes the border; what the opposite was in its face gets a new edge.
+  void cut_edge(const int h)
+  {
+    const int o = opposite(h), moved = number_of_halfedges(), border = moved + 1;
+    m_original_of_edge.push_back(o);
+    m_halfedges.push_back(m_halfedges[o]);
+    m_halfedges.emplace_back();
+    m_halfedges[next(moved)].prev = moved;
+    m_halfedges[prev(moved)].next = moved;
+    m_halfedges[border].target = target(h);
+    m_halfedges[border].is_crease = true;
+    for (int& first : m_faces[face(moved)].first)
+      if (first == o)
+        first = moved;
+    m_halfedges[o] = Halfedge();
+    m_halfedges[o].target = target(moved);
+    m_halfedges[o].is_crease = true;
+  }
+
+  // Gives each fan of faces at the end of a crease a vertex of its own, and joins the border halfedges there.
+  void divide_vertices()
+  {
+    std::vector<char> has_crease(m_number_of_originals, 0), is_taken(m_number_of_originals, 0);
+    for (int h = 0; h < number_of_halfedges(); ++h)
+      if (is_crease(h))
+        has_crease[target(h)] = 1;
+    for (int h = 0; h < number_of_halfedges(); ++h) {
+      const int in = opposite(next(h));
+      if (is_border(h) || !is_border(in) || target(h) >= m_number_of_originals || has_crease[target(h)] == 0)
+        continue;
+      const int v = target(h);
+      int copy = v;
+      if (is_taken[v] != 0) {
+        copy = m_number_of_vertices++;
+        m_original_of_copy.push_back(v);
+      }
+      is_taken[v] = 1;
+      int last = h;
+      for (m_halfedges[last].target = copy; !is_border(opposite(last)); m_halfedges[last].target = copy)
+        last = counter_clockwise(last);
+      m_halfedges[in].target = copy;
+      m_halfedges[in].next = opposite(last);
+      m_halfedges[opposite(last)].prev = in;
+    }
+  }
 
   void set_frame(const int f, int h)
   {
@@ -190,7 +284,8 @@ private:
     m_faces[f].height = length[1];
   }
 
-  int m_number_of_vertices = 0;
+  int m_number_of_vertices = 0, m_number_of_originals = 0, m_number_of_original_halfedges = 0;
+  std::vector<int> m_original_of_copy, m_original_of_edge; // of those that cuts made
   std::vector<T_mesh_halfedge<FT>> m_halfedges;
   std::vector<int> m_incoming; // per vertex
   std::vector<Face> m_faces;

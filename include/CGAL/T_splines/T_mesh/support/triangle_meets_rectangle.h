@@ -34,6 +34,17 @@ inline bool triangle_meets_rectangle(const std::array<std::array<double, 2>, 3>&
   return true;
 }
 
+/// Whether a triangle covers a part of the rectangle [0, size[0]] x [0, size[1]] by more than round-off, a fraction of its
+/// size; and not only touches it from outside.
+inline bool triangle_covers_part_of_rectangle(std::array<std::array<double, 2>, 3> corners,
+                                              const std::array<double, 2>& size, const double round_off)
+{
+  for (std::array<double, 2>& corner : corners)
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      corner[axis] -= round_off * size[axis];
+  return triangle_meets_rectangle(corners, {size[0] * (1 - 2 * round_off), size[1] * (1 - 2 * round_off)});
+}
+
 } // namespace internal
 } // namespace T_splines
 } // namespace CGAL

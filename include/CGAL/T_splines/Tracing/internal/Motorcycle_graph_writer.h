@@ -59,7 +59,7 @@ public:
   {
     using Knot = typename TMesh::FT;
     for (int e = 0; e < m_cells.number_of_edges(); ++e)
-      t_mesh.set_constrained(m_writer.halfedge(halfedge_of_edge(e)), is_constrained(halfedge_of_edge(e)));
+      t_mesh.set_crease(m_writer.halfedge(halfedge_of_edge(e)), is_constrained(halfedge_of_edge(e)));
     for (int h = 0; h < m_cells.number_of_halfedges(); ++h)
       if (!m_cells.is_border(h)) {
         t_mesh.set_knot(m_writer.halfedge(h), converted_number<Knot>(m_cells.halfedge(h).knot));
