@@ -55,8 +55,11 @@ int main(int argc, char* argv[])
   }
 
   const auto distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance").first;
+  const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_feature", false).first;
+  T::detect_features(mesh, is_feature);
   const auto report =
-      T::measure_T_spline_deviation(T::compile_T_spline(surface), mesh, T::parameters::vertex_distance_map(distance));
+      T::measure_T_spline_deviation(T::compile_T_spline(surface), mesh,
+                                    T::parameters::vertex_distance_map(distance).edge_is_constrained_map(is_feature));
   if (!report.success()) {
     std::cerr << mesh_file << ": " << describe(report, mesh) << "\n";
     return EXIT_FAILURE;
@@ -66,6 +69,10 @@ int main(int argc, char* argv[])
   if (report.free_edge) {
     print("border of the mesh to that of the surface", report.free_edge->mesh_to_surface);
     print("border of the surface to that of the mesh", report.free_edge->surface_to_mesh);
+  }
+  if (report.crease) {
+    print("features of the mesh to creases of the surface", report.crease->mesh_to_surface);
+    print("creases of the surface to features of the mesh", report.crease->surface_to_mesh);
   }
   std::cout << report.normals.number_of_folded_patches << " of " << report.normals.number_of_patches
             << " Bezier patches have a fold, " << report.normals.number_of_certified_patches

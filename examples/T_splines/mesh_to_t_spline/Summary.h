@@ -156,17 +156,19 @@ inline void print_place(std::ostream& out, const Deviation_figures::Place& place
     out << "face " << place.mesh_face << " of the mesh\n";
 }
 
-/// How far the borders are apart.
-inline void print_free_edge(std::ostream& out, const Deviation_figures::Free_edge& free_edge)
+/// How far the borders, or the creases, are apart.
+/// \param title of ten characters
+inline void print_of_curves(std::ostream& out, const char* title, const char* curves,
+                            const Deviation_figures::Of_curves& distances)
 {
-  out << "  free edge   max " << percent(free_edge.maximum()) << ", rms " << percent(free_edge.rms())
-      << " between the borders, both ways";
-  if (free_edge.corners > 0)
-    out << "; corners off by at most " << percent(free_edge.largest_corner_distance, 2);
+  out << "  " << title << "  max " << percent(distances.maximum()) << ", rms " << percent(distances.rms())
+      << " between the " << curves << ", both ways";
+  if (distances.corners > 0)
+    out << "; corners off by at most " << percent(distances.largest_corner_distance, 2);
   out << "\n";
-  print_one_way(out, "surface to mesh", free_edge.surface_to_mesh, "length");
-  print_one_way(out, "mesh to surface", free_edge.mesh_to_surface, "length");
-  print_place(out, free_edge.worst());
+  print_one_way(out, "surface to mesh", distances.surface_to_mesh, "length");
+  print_one_way(out, "mesh to surface", distances.mesh_to_surface, "length");
+  print_place(out, distances.worst());
 }
 
 /// How far surface and mesh are apart, what is wrong first.
@@ -178,7 +180,9 @@ inline void print_deviation(std::ostream& out, const T_spline_figures& spline, c
   print_one_way(out, "mesh to surface", deviation.of_surface.mesh_to_surface);
   print_place(out, deviation.of_surface.worst());
   if (deviation.free_edge)
-    print_free_edge(out, *deviation.free_edge);
+    print_of_curves(out, "free edge ", "borders", *deviation.free_edge);
+  if (deviation.crease)
+    print_of_curves(out, "creases   ", "creases and the features of the mesh", *deviation.crease);
   out << "  normals     differ by at most " << std::setprecision(3) << deviation.largest_angle << " degrees; "
       << deviation.folded_patches << " of " << spline.patches << " Bezier patches with folds, "
       << deviation.certified_patches << " certified without";

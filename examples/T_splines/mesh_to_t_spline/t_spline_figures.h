@@ -28,7 +28,7 @@ struct Deviation_figures {
     std::size_t t_mesh_face = 0;
     double u = 0, v = 0;
     std::size_t mesh_face = 0;
-    std::optional<std::array<std::size_t, 2>> mesh_edge; ///< its vertices, if the place is on the border
+    std::optional<std::array<std::size_t, 2>> mesh_edge; ///< its vertices, if the place is on the border or a crease
   };
   struct One_way {
     Relative_error error;
@@ -47,14 +47,15 @@ struct Deviation_figures {
       return (surface_to_mesh.error.maximum > mesh_to_surface.error.maximum ? surface_to_mesh : mesh_to_surface).worst;
     }
   };
-  /// The same of the borders, with shares of their lengths.
-  struct Free_edge : Both_ways {
+  /// The same of the borders or creases, with shares of their lengths.
+  struct Of_curves : Both_ways {
     std::size_t corners = 0;            ///< of the surface
     double largest_corner_distance = 0; ///< from the vertex of the mesh closest to a corner
   };
 
   Both_ways of_surface;
-  std::optional<Free_edge> free_edge; ///< if there is a border
+  std::optional<Of_curves> free_edge; ///< if there is a border
+  std::optional<Of_curves> crease;    ///< if there are creases
   double largest_angle = 0;           ///< between normals, in degrees
   Place worst_angle;
   std::size_t folded_patches = 0, doubtful_patches = 0, certified_patches = 0;
@@ -65,6 +66,7 @@ struct Deviation_figures {
 
   bool is_surface_within(const double tolerance) const { return of_surface.maximum() <= tolerance; }
   bool is_border_within(const double tolerance) const { return !free_edge || free_edge->maximum() <= tolerance; }
+  bool are_creases_within(const double tolerance) const { return !crease || crease->maximum() <= tolerance; }
 };
 
 /// The T-spline surface, and how it was fitted.
@@ -93,10 +95,11 @@ struct T_spline_figures {
   const Level& level() const { return levels[best_level]; }
   std::string ending() const { return fit_is_within_tolerance ? status : "ended beyond the tolerance: " + status; }
 
-  /// Whether the surface and its border are what was asked for, as measured: both ways, between the samples, too.
+  /// Whether the surface, its border and its creases are what was asked for, as measured: both ways, between the samples, too.
   bool is_within_tolerance() const
   {
-    return deviation && deviation->is_surface_within(tolerance) && deviation->is_border_within(tolerance);
+    return deviation && deviation->is_surface_within(tolerance) && deviation->is_border_within(tolerance) &&
+           deviation->are_creases_within(tolerance);
   }
   bool is_faultless() const
   {
@@ -116,7 +119,7 @@ inline std::string verdict(const T_spline_figures& figures)
   if (!figures.deviation)
     return text;
   if (figures.deviation->is_surface_within(figures.tolerance) && !figures.is_within_tolerance())
-    text += " along the border";
+    text += figures.deviation->is_border_within(figures.tolerance) ? " along the creases" : " along the border";
   const char* separator = figures.is_within_tolerance() ? ", but " : ", ";
   if (figures.deviation->folded_patches > 0) {
     text += separator + counted(figures.deviation->folded_patches, "patch has a fold", "patches have folds");
@@ -167,6 +170,15 @@ inline void write_both_ways(Json_writer& json, const Deviation_figures::Both_way
   write_one_way(json, "mesh_to_surface", both.mesh_to_surface);
 }
 
+inline void write_of_curves(Json_writer& json, const char* name, const Deviation_figures::Of_curves& curves)
+{
+  json.key(name).begin_object();
+  json.member("rms", curves.rms());
+  write_both_ways(json, curves);
+  json.member("corners", curves.corners).member("largest_corner_distance", curves.largest_corner_distance);
+  json.end_object();
+}
+
 inline void write_deviation(Json_writer& json, const Deviation_figures& deviation)
 {
   json.key("deviation").begin_object();
@@ -180,14 +192,10 @@ inline void write_deviation(Json_writer& json, const Deviation_figures& deviatio
   json.member("self_intersections_beyond_mesh", deviation.self_intersections_beyond_mesh);
   if (deviation.self_intersections_beyond_mesh > 0)
     json.array_member("self_intersection", deviation.self_intersection);
-  if (deviation.free_edge) {
-    json.key("free_edge").begin_object();
-    json.member("rms", deviation.free_edge->rms());
-    write_both_ways(json, *deviation.free_edge);
-    json.member("corners", deviation.free_edge->corners);
-    json.member("largest_corner_distance", deviation.free_edge->largest_corner_distance);
-    json.end_object();
-  }
+  if (deviation.free_edge)
+    write_of_curves(json, "free_edge", *deviation.free_edge);
+  if (deviation.crease)
+    write_of_curves(json, "crease", *deviation.crease);
   json.end_object();
 }
 

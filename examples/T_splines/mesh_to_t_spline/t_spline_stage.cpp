@@ -208,12 +208,11 @@ Deviation_figures::One_way figures_of(const CGAL::T_splines::One_way_deviation& 
           worst};
 }
 
-Deviation_figures::Free_edge figures_of(const CGAL::T_splines::Free_edge_deviation<Graph, Mesh>& free_edge,
-                                        const Mesh& mesh)
+Deviation_figures::Of_curves figures_of(const CGAL::T_splines::Curve_deviation<Graph, Mesh>& curves, const Mesh& mesh)
 {
   const auto one_way = [&](const CGAL::T_splines::One_way_deviation& way,
-                           const CGAL::T_splines::Free_edge_place<Graph, Mesh>& place) {
-    const Halfedge h = mesh.opposite(place.mesh_halfedge); // along the face
+                           const CGAL::T_splines::Curve_place<Graph, Mesh>& place) {
+    const Halfedge given = place.mesh_halfedge, h = mesh.is_border(given) ? mesh.opposite(given) : given;
     return figures_of(way, {coordinates_of(way.farthest_point),
                             place.place.face,
                             place.place.u,
@@ -221,12 +220,12 @@ Deviation_figures::Free_edge figures_of(const CGAL::T_splines::Free_edge_deviati
                             mesh.face(h),
                             {{mesh.source(h), mesh.target(h)}}});
   };
-  Deviation_figures::Free_edge figures;
-  figures.surface_to_mesh = one_way(free_edge.surface_to_mesh, free_edge.surface_to_mesh_place);
-  figures.mesh_to_surface = one_way(free_edge.mesh_to_surface, free_edge.mesh_to_surface_place);
-  figures.corners = free_edge.number_of_corners;
-  const double extent = free_edge.mesh_to_surface.extent;
-  figures.largest_corner_distance = extent > 0 ? free_edge.largest_corner_distance / extent : 0;
+  Deviation_figures::Of_curves figures;
+  figures.surface_to_mesh = one_way(curves.surface_to_mesh, curves.surface_to_mesh_place);
+  figures.mesh_to_surface = one_way(curves.mesh_to_surface, curves.mesh_to_surface_place);
+  figures.corners = curves.number_of_corners;
+  const double extent = curves.mesh_to_surface.extent;
+  figures.largest_corner_distance = extent > 0 ? curves.largest_corner_distance / extent : 0;
   return figures;
 }
 
@@ -243,6 +242,8 @@ Deviation_figures figures_of(const Fit_report& fit, const Mesh& mesh)
   figures.of_surface.mesh_to_surface = one_way(report.mesh_to_surface, report.mesh_to_surface_place);
   if (report.free_edge)
     figures.free_edge = figures_of(*report.free_edge, mesh);
+  if (report.crease)
+    figures.crease = figures_of(*report.crease, mesh);
   figures.largest_angle = report.normals.largest_angle * 180 / CGAL_PI;
   figures.worst_angle = place_of(report.normals.place, report.normals.point);
   figures.folded_patches = report.normals.number_of_folded_patches;

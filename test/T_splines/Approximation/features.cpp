@@ -9,11 +9,19 @@
 #include <CGAL/T_splines/Cross_field/detect_features.h>
 #include <CGAL/T_splines/Cross_field/refine_at_features.h>
 #include <CGAL/T_splines/IO/read_triangle_mesh.h>
+#include <CGAL/T_splines/T_mesh/T_mesh_coordinates.h>
 
 #include <catch2/catch.hpp>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
+#include <vector>
 
 namespace approximation_features_test {
 
@@ -38,6 +46,54 @@ struct Featured_mesh {
     REQUIRE(T::refine_at_features(given, sharp, mesh, features).success());
   }
 };
+
+using Segment = CGAL::Exact_predicates_inexact_constructions_kernel::Segment_3;
+
+std::vector<Segment> features_of(const Featured_mesh& given)
+{
+  std::vector<Segment> result;
+  for (const auto e : given.mesh.edges())
+    if (given.features[e])
+      result.emplace_back(given.mesh.point(given.mesh.vertex(e, 0)), given.mesh.point(given.mesh.vertex(e, 1)));
+  return result;
+}
+
+// Chords of the images of the creases.
+std::vector<Segment> creases_of(const T::T_spline<>& spline)
+{
+  constexpr int parts = 200;
+  const auto surface = spline.surface();
+  const T::T_mesh_coordinates coordinates(spline);
+  std::vector<Segment> result;
+  for (const auto h : spline.graph().halfedges()) {
+    if (!spline.creases()[spline.graph().edge(h)])
+      continue;
+    const auto from = coordinates.source_point(h), to = coordinates.target_point(h);
+    const auto at = [&](const int i) {
+      const double t = static_cast<double>(i) / parts;
+      return surface.position(spline.graph().face(h), from.first + t * (to.first - from.first),
+                              from.second + t * (to.second - from.second));
+    };
+    for (int i = 0; i < parts; ++i)
+      result.emplace_back(at(i), at(i + 1));
+  }
+  return result;
+}
+
+// The largest distance of points of segments from others.
+double distance(const std::vector<Segment>& from, const std::vector<Segment>& to)
+{
+  constexpr int parts = 24;
+  double largest = 0;
+  for (const Segment& s : from)
+    for (int i = 0; i <= parts; ++i) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Segment& t : to)
+        nearest = std::min(nearest, CGAL::squared_distance(s.source() + i * (s.target() - s.source()) / parts, t));
+      largest = std::max(largest, std::sqrt(nearest));
+    }
+  return largest;
+}
 
 Mesh demo_mesh(const std::string& name)
 {
@@ -66,6 +122,14 @@ TEST_CASE("Features of the mesh are edges of the T-mesh of the surface")
   T::T_spline<> spline;
   REQUIRE(approximation.fit(0.01, spline));
   CHECK(report.within_tolerance());
+  // Creases and features are where each other are, as points of them find, too.
+  const auto& deviation = report.fit.deviation;
+  REQUIRE(deviation.crease);
+  CHECK(deviation.crease->number_of_corners > 0);
+  CHECK(deviation.crease->largest_corner_distance < 1e-12);
+  const std::vector<Segment> wanted = features_of(bracket), actual = creases_of(spline);
+  CHECK(deviation.crease->mesh_to_surface.maximum == Approx(distance(wanted, actual)).epsilon(0.05).margin(1e-6));
+  CHECK(deviation.crease->surface_to_mesh.maximum == Approx(distance(actual, wanted)).epsilon(0.05).margin(1e-6));
   // The transitions of the mapped mesh are those of the map that is aligned.
   const auto& mapped = approximation.mapped_mesh();
   for (const auto h : mapped.mesh().halfedges())

@@ -143,7 +143,7 @@ TEST_CASE("The field turns as the reduced signature says: around vertices, along
 TEST_CASE("With features, cones on them stay, and the field follows them as before")
 {
   std::vector<fm::Named_mesh> meshes = fm::all();
-  for (const char* const name : {"anchor.off", "oblong.off", "rotor.off", "joint.off"})
+  for (const char* const name : {"anchor.off", "oblong.off", "rotor.off", "pinion.off"})
     meshes.push_back({name, demo_mesh(name)});
   int number_of_merges = 0;
   for (const fm::Named_mesh& named : meshes) {

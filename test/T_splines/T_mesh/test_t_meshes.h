@@ -4,6 +4,8 @@
 #ifndef T_SPLINES_TEST_T_MESHES_H
 #define T_SPLINES_TEST_T_MESHES_H
 
+#include "Edge_flags.h"
+
 #include <boost/container_hash/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -42,34 +44,7 @@ public:
   using Knot_map = boost::associative_property_map<Container<FT>>;
   using Corner_map = boost::associative_property_map<Container<bool>>;
 
-  // Edge -> whether it is a crease.
-  class Crease_map {
-  public:
-    using key_type = typename Traits::edge_descriptor;
-    using value_type = bool;
-    using reference = bool;
-    using category = boost::read_write_property_map_tag;
-
-    Crease_map(const Graph& graph, Container<bool>& creases) : m_graph(&graph), m_creases(&creases) {}
-
-    friend bool get(const Crease_map& map, const key_type e)
-    {
-      const auto h = halfedge(e, *map.m_graph);
-      return map.m_creases->count(h) != 0 || map.m_creases->count(opposite(h, *map.m_graph)) != 0;
-    }
-    friend void put(const Crease_map& map, const key_type e, const bool is_crease)
-    {
-      const auto h = halfedge(e, *map.m_graph);
-      map.m_creases->erase(h);
-      map.m_creases->erase(opposite(h, *map.m_graph));
-      if (is_crease)
-        map.m_creases->emplace(h, true);
-    }
-
-  private:
-    const Graph* m_graph;
-    Container<bool>* m_creases;
-  };
+  using Crease_map = typename Edge_flags<Graph>::Map;
 
   explicit T_mesh(const Faces<FT>& faces)
   {
@@ -109,7 +84,7 @@ public:
   const Graph& graph() const { return mesh; }
   Knot_map knots() const { return Knot_map(m_knots); }
   Corner_map corners() const { return Corner_map(m_corners); }
-  Crease_map creases() const { return Crease_map(mesh, m_creases); }
+  Crease_map creases() const { return m_creases.of(mesh); }
 
   // Halfedge number i of face number f, as they were given; unless they have changed.
   halfedge_descriptor halfedge_of(const std::size_t f, const int i) const
@@ -156,7 +131,7 @@ private:
 
   mutable Container<FT> m_knots;
   mutable Container<bool> m_corners;
-  mutable Container<bool> m_creases; // one halfedge of each
+  Edge_flags<Graph> m_creases;
 };
 
 // Multiplies all knots of a face: another unit, the same T-mesh.

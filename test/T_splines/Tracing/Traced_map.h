@@ -4,6 +4,7 @@
 #ifndef T_SPLINES_TEST_TRACING_TRACED_MAP_H
 #define T_SPLINES_TEST_TRACING_TRACED_MAP_H
 
+#include "Edge_flags.h"
 #include "Tracing/hand_made_maps.h"
 #include "T_mesh_checker.h"
 
@@ -51,15 +52,15 @@ struct Traced_map {
   std::map<typename Traits::vertex_descriptor, typename Surface::vertex_descriptor> origins;
   std::map<typename Traits::vertex_descriptor, Point_3> points;
   std::map<typename Traits::edge_descriptor, std::vector<Point_3>> polylines;
-  std::map<typename Traits::edge_descriptor, bool> constrained;
+  Edge_flags<Graph> creases;
 
-  using View = CGAL::T_splines::T_mesh_view<const Graph, Map<typename Traits::halfedge_descriptor, NT>,
-                                            Map<typename Traits::halfedge_descriptor, bool>,
-                                            Map<typename Traits::edge_descriptor, bool>>;
+  using View =
+      CGAL::T_splines::T_mesh_view<const Graph, Map<typename Traits::halfedge_descriptor, NT>,
+                                   Map<typename Traits::halfedge_descriptor, bool>, typename Edge_flags<Graph>::Map>;
 
   /// The T-mesh.
-  View view() const { return {graph, map_of(knots), map_of(corners), map_of(constrained)}; }
-  auto view() { return CGAL::T_splines::T_mesh_view(graph, map_of(knots), map_of(corners), map_of(constrained)); }
+  View view() const { return {graph, map_of(knots), map_of(corners), creases.of(graph)}; }
+  auto view() { return CGAL::T_splines::T_mesh_view(graph, map_of(knots), map_of(corners), creases.of(graph)); }
 
   /// \param marked edges that are to lie on isolines, by their ends, ascending
   explicit Traced_map(const Plain_map& plain, const std::set<std::pair<int, int>>& marked = {})

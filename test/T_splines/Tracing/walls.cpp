@@ -39,21 +39,20 @@ using Traced = Traced_map<Surface_mesh, Surface_mesh, Exact>;
 using chart_maps::Chart_map;
 using isoline_edges::Edges;
 
-/// The edges of the mesh that the constrained edges of the T-mesh run along, by walking these.
+/// The edges of the mesh that the creases of the T-mesh run along, by walking these.
 Edges walked_edges(const Traced& traced)
 {
   std::map<Kernel::Point_3, int> vertex;
   for (const auto v : traced.mesh.vertices())
     REQUIRE(vertex.emplace(traced.mesh.point(v), static_cast<int>(v)).second);
   std::map<Kernel::Point_3, std::vector<Kernel::Point_3>> neighbors;
-  for (const auto& [e, is_constrained] : traced.constrained)
-    if (is_constrained) {
-      const std::vector<Kernel::Point_3>& line = traced.polylines.at(e);
-      for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        neighbors[line[i]].push_back(line[i + 1]);
-        neighbors[line[i + 1]].push_back(line[i]);
-      }
+  traced.creases.for_each_marked([&](const auto h) {
+    const std::vector<Kernel::Point_3>& line = traced.polylines.at(edge(h, traced.graph));
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      neighbors[line[i]].push_back(line[i + 1]);
+      neighbors[line[i + 1]].push_back(line[i]);
     }
+  });
   Edges result;
   for (const auto& [p, beside] : neighbors) {
     if (vertex.count(p) == 0) { // a T-joint
@@ -85,7 +84,7 @@ Edges inner_marked_edges(const Traced& traced)
   return result;
 }
 
-/// The lengths of constrained edges, on both sides.
+/// The lengths of creases, on both sides.
 template <typename TMesh>
 Exact length_of_walls(const TMesh& t_mesh)
 {
@@ -118,7 +117,7 @@ void check_walls(const Traced& traced, const double deviation = 0.01)
   INFO(check.text());
   CHECK(check.success());
   CHECK(walked_edges(traced) == inner_marked_edges(traced));
-  CHECK(traced.constrained.size() == num_edges(traced.graph));
+  CHECK(traced.creases.size() == num_edges(traced.graph));
 }
 
 /// Regularizes the T-mesh and splits its faces: no wall is lost, exactly.
@@ -329,34 +328,8 @@ TEST_CASE("Walls in a polyhedron, mesh and T-mesh", "[walls]")
   INFO(other.message_text());
   REQUIRE(other.success());
   CHECK(check_all(other).success());
-  const auto number = [](const auto& constrained) {
-    return std::count_if(constrained.begin(), constrained.end(), [](const auto& e) { return e.second; });
-  };
-  CHECK(number(other.constrained) > 0);
-  CHECK(number(other.constrained) == number(traced.constrained));
-}
-
-TEST_CASE("A strip between two walls is divided by regularization", "[walls]")
-{
-  const Chart_map map = isoline_edges::flat_torus(40, 6);
-  const Edges marked =
-      isoline_edges::of(map, [](const int a, int, const int axis) { return axis == 1 && (a % 6 == 2 || a % 6 == 3); });
-  const Traced traced(map, marked);
-  check_walls(traced);
-  T::T_mesh<Kernel::Point_3, Exact> t_mesh, without;
-  REQUIRE(T::copy_T_mesh(traced.view(), t_mesh));
-  REQUIRE(T::copy_T_mesh(traced.view(), without));
-  const Exact length = length_of_walls(t_mesh);
-  const auto report = T::regularize_T_mesh(t_mesh);
-  CHECK(report.success());
-  CHECK(report.worst_aspect_before == 40);
-  CHECK(report.worst_aspect_after <= 3);
-  CHECK(report.divisions > 0);
-  CHECK(length_of_walls(t_mesh) == length);
-  CHECK(T::check_admissibility(t_mesh).success());
-  for (const auto e : without.graph().edges())
-    put(without.creases(), e, false);
-  CHECK(T::regularize_T_mesh(without).divisions == 0);
+  CHECK(other.creases.number_of_marked() > 0);
+  CHECK(other.creases.number_of_marked() == traced.creases.number_of_marked());
 }
 
 TEST_CASE("Where a wall ends inside, motorcycles leave its end; where three walls meet, none do", "[walls]")

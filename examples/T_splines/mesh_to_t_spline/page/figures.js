@@ -108,7 +108,8 @@ function showVerdict({ input, signature, map, exact_map, t_mesh, t_spline }) {
     const errors = [];
     if (deviation) {
       const ofBorder = deviation.free_edge ? `, free edge ${percentText(deviation.free_edge.maximum)}` : "";
-      errors.push(`max ${percentText(deviation.maximum)} both ways${ofBorder}, tolerance ${percentText(t_spline.tolerance)}`);
+      const ofCreases = deviation.crease ? `, creases ${percentText(deviation.crease.maximum)}` : "";
+      errors.push(`max ${percentText(deviation.maximum)} both ways${ofBorder}${ofCreases}, tolerance ${percentText(t_spline.tolerance)}`);
     }
     errors.push(`${countText(t_spline.levels[t_spline.best_level].control_points)} control points`,
       `genus ${input.genus}`, counted(signature.cones.length, "cone"), ...borderFacts(input, signature));
@@ -233,7 +234,8 @@ function showFigures(report, measure) {
   showVerdict(report);
   document.getElementById("figures").append(
     ...(t_spline ? [...(t_spline.deviation ? [deviationSection(t_spline)] : []),
-      ...(t_spline.deviation && t_spline.deviation.free_edge ? [freeEdgeSection(t_spline)] : []), fitSection(t_spline), splineSection(t_spline)] : []), ...(t_mesh ? [tMeshSection(t_mesh)] : []), conesSection(signature),
+      ...(t_spline.deviation && t_spline.deviation.free_edge ? [freeEdgeSection(t_spline)] : []),
+      ...(t_spline.deviation && t_spline.deviation.crease ? [creaseSection(t_spline)] : []), fitSection(t_spline), splineSection(t_spline)] : []), ...(t_mesh ? [tMeshSection(t_mesh)] : []), conesSection(signature),
     ...(map ? [convergenceSection(map)] : []),
     section("Time", stageBars(report.stages), note(`${seconds(report.seconds)} in all${memory}. Memory: the most until the stage's end.`)),
     ...(exact_map ? [exactMapSection(exact_map)] : []), ...(t_mesh ? [tracingSection(t_mesh)] : []),

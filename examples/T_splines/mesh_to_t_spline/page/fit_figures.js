@@ -150,6 +150,14 @@ function cornerRows(counts) {
   });
 }
 
+// The panel of the measured distances of the creases from the features of the mesh.
+function creaseSection({ deviation: { crease }, tolerance }) {
+  const offBy = crease.corners > 0 ? [["corners off by at most", percentText(crease.largest_corner_distance, 2)]] : [];
+  return section("Creases", distanceTable(crease, tolerance, "length"), table(offBy),
+    note(`The largest distance from the features of the mesh is at ${placeText(crease.worst)}.`),
+    element("p", { class: "places" }, "Go to: ", placeButton("crease", "worst place of the creases")));
+}
+
 // The panel of the measured distances between the borders.
 function freeEdgeSection({ deviation: { free_edge: freeEdge }, tolerance, corners }) {
   const offBy = freeEdge.corners > 0 ? [["corners off by at most", percentText(freeEdge.largest_corner_distance, 2)]] : [];
@@ -164,10 +172,10 @@ function freeEdgeSection({ deviation: { free_edge: freeEdge }, tolerance, corner
 function knownPlaces(spline) {
   if (!spline || !spline.deviation)
     return {};
-  const { worst, worst_angle, self_intersection, free_edge } = spline.deviation;
+  const { worst, worst_angle, self_intersection, free_edge, crease } = spline.deviation;
   return {
     worst: worst.point, angle: worst_angle.point, ...(self_intersection ? { intersection: self_intersection } : {}),
-    ...(free_edge ? { border: free_edge.worst.point } : {})
+    ...(free_edge ? { border: free_edge.worst.point } : {}), ...(crease ? { crease: crease.worst.point } : {})
   };
 }
 

@@ -119,6 +119,21 @@ public:
     return boost::graph_traits<TriangleMesh>::null_halfedge();
   }
 
+  /// returns which edges of the given mesh are constrained in the map, at least in part: edge -> `bool`. Complexity: linear
+  /// but for the degrees of vertices. \pre `has_map()`
+  /// \param given the given mesh
+  auto constrained_origins(const TriangleMesh& given) const
+  {
+    const auto result = get(CGAL::dynamic_edge_property_t<bool>(), given);
+    for (const auto e : CGAL::make_range(edges(given)))
+      put(result, e, false);
+    for (const auto h : mesh().halfedges())
+      if (!mesh().is_border(h) && map().is_constrained(mesh().edge(h)))
+        if (const auto from = origin(h, given); from != boost::graph_traits<TriangleMesh>::null_halfedge())
+          put(result, edge(from, given), true);
+    return result;
+  }
+
   /// takes a mesh as it is, with a map of it.
   /// \param given the given mesh; this one must be empty
   /// \param points vertex of the given mesh -> its point, in doubles

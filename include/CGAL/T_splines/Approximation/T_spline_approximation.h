@@ -472,8 +472,10 @@ public:
     const auto are_data =
         boost::make_function_property_map<typename boost::graph_traits<TriangleMesh>::face_descriptor>(
             [this](const typename boost::graph_traits<TriangleMesh>::face_descriptor f) { return is_data(f); });
-    m_report.fit = fit_adaptive_T_spline(m_t_mesh->t_mesh(), m_t_mesh->surface(), m_mesh, tolerance, spline,
-                                         parameters::face_is_data_map(are_data, with_points(np)));
+    m_report.fit = fit_adaptive_T_spline(
+        m_t_mesh->t_mesh(), m_t_mesh->surface(), m_mesh, tolerance, spline,
+        parameters::face_is_data_map(are_data,
+                                     with_points(np).edge_is_constrained_map(m_mapped->constrained_origins(m_mesh))));
     return ended(m_report.fit, Status::FIT_FAILED, [&] { return describe(m_report.fit, m_t_mesh->t_mesh().graph()); });
   }
 

@@ -116,6 +116,8 @@ std::string described_quality(const Adaptive_fit_report<Graph, SplineGraph, Tria
   std::string text = "distance " + relative(report.deviation.maximum());
   if (report.deviation.free_edge)
     text += ", of the borders " + relative(report.deviation.free_edge->maximum());
+  if (report.deviation.crease)
+    text += ", of the creases " + relative(report.deviation.crease->maximum());
   text += ", tolerance " + relative(report.deviation.tolerance) + " of the longest side";
   if (report.deviation.has_folds())
     text += ", " + std::to_string(report.deviation.normals.number_of_folded_patches) + " patches with folds";

@@ -53,7 +53,7 @@ public:
     const auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                             get_const_property_map(CGAL::vertex_point, mesh));
     internal::Triangle_set set;
-    m_status = internal::read_triangle_set(mesh, point_map, internal::face_is_data_map<TriangleMesh>(np), set).status;
+    m_status = internal::read_triangle_set(mesh, point_map, np, set).status;
     set.triangles.resize(set.number_of_data());
     if (is_valid())
       m_tree = std::make_shared<const internal::Triangle_tree>(set);

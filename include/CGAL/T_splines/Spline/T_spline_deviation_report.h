@@ -86,32 +86,33 @@ struct Deviation_place {
 };
 
 /// \ingroup PkgTSplinesSpline
-/// Where something was found on the border: a place of the T-spline surface, and the edge of the mesh next to it.
+/// Where something was found on a curve, the border or a crease: a place of the T-spline surface, and the edge of the mesh
+/// next to it.
 /// \tparam Graph the T-mesh, a model of `FaceGraph`
 /// \tparam TriangleMesh the mesh, a model of `FaceGraph`
 template <typename Graph, typename TriangleMesh>
-struct Free_edge_place {
+struct Curve_place {
   T_mesh_place<Graph, double> place; ///< of the T-spline surface
-  /// The border halfedge of the mesh next to it.
+  /// The halfedge of the mesh next to it; on the border, a border halfedge.
   typename boost::graph_traits<TriangleMesh>::halfedge_descriptor mesh_halfedge =
       boost::graph_traits<TriangleMesh>::null_halfedge();
 };
 
 /// \ingroup PkgTSplinesSpline
-/// The distances between the border of a surface and that of a mesh, both ways: between a point of the one and the
-/// closest point of the other. Means are weighted by length.
+/// The distances between curves of a surface, its border or its creases, and those of a mesh, both ways: between a point of
+/// the one and the closest point of the other. Means are weighted by length.
 template <typename Graph, typename TriangleMesh>
-struct Free_edge_deviation {
-  One_way_deviation mesh_to_surface; ///< of the points of the mesh's border from that of the surface
-  One_way_deviation surface_to_mesh; ///< of the points of the surface's border from that of the mesh
-  Free_edge_place<Graph, TriangleMesh> mesh_to_surface_place; ///< of the largest distance
-  Free_edge_place<Graph, TriangleMesh> surface_to_mesh_place; ///< of the largest distance
-  /// Of the surface: border vertices of the T-mesh with an extended valence other than 2.
+struct Curve_deviation {
+  One_way_deviation mesh_to_surface; ///< of the points of the mesh's curves from those of the surface
+  One_way_deviation surface_to_mesh; ///< of the points of the surface's curves from those of the mesh
+  Curve_place<Graph, TriangleMesh> mesh_to_surface_place; ///< of the largest distance
+  Curve_place<Graph, TriangleMesh> surface_to_mesh_place; ///< of the largest distance
+  /// Of the surface: border vertices of the T-mesh with an extended valence other than 2; or where creases end.
   std::size_t number_of_corners = 0;
-  /// Of a corner of the surface from the vertex of the mesh's border closest to it.
+  /// Of a corner of the surface from the vertex of the mesh's curves closest to it.
   double largest_corner_distance = 0;
 
-  /// returns the Hausdorff distance of the two borders, as found.
+  /// returns the Hausdorff distance of the two sets of curves, as found.
   double maximum() const { return (std::max)(mesh_to_surface.maximum, surface_to_mesh.maximum); }
   /// returns a proven bound of the Hausdorff distance.
   double upper_bound() const { return (std::max)(mesh_to_surface.upper_bound, surface_to_mesh.upper_bound); }
@@ -154,7 +155,9 @@ struct T_spline_deviation_report {
   Deviation_place<Graph, TriangleMesh> surface_to_mesh_place; ///< of the largest distance
   Normal_deviation<Graph, TriangleMesh> normals;              ///< the angles between the normals
   /// Between the borders; none unless both have one.
-  std::optional<Free_edge_deviation<Graph, TriangleMesh>> free_edge;
+  std::optional<Curve_deviation<Graph, TriangleMesh>> free_edge;
+  /// Between the creases of the surface and the constrained edges of the mesh; none unless both have some.
+  std::optional<Curve_deviation<Graph, TriangleMesh>> crease;
   double tolerance = (std::numeric_limits<double>::infinity)(); ///< that was given, as a length
 
   /// returns the Hausdorff distance, as found.
@@ -163,9 +166,15 @@ struct T_spline_deviation_report {
   /// returns a proven bound of the Hausdorff distance.
   double upper_bound() const { return (std::max)(mesh_to_surface.upper_bound, surface_to_mesh.upper_bound); }
 
+  /// returns the largest distance found between borders and between creases.
+  double maximum_of_curves() const
+  {
+    return (std::max)(free_edge ? free_edge->maximum() : 0, crease ? crease->maximum() : 0);
+  }
+
   /// returns whether no distance was found that exceeds the tolerance, neither between the surfaces nor between their
-  /// borders.
-  bool within_tolerance() const { return maximum() <= tolerance && (!free_edge || free_edge->maximum() <= tolerance); }
+  /// borders nor between creases.
+  bool within_tolerance() const { return maximum() <= tolerance && maximum_of_curves() <= tolerance; }
 
   /// returns whether there are folds. Doubtful places do not count.
   bool has_folds() const { return normals.number_of_folded_patches > 0; }

@@ -132,6 +132,12 @@ Carried_surface<ToGraph> copied_surface(const Mesh_indexing<Graph>& indexing, co
 ///     \cgalParamExtra{What the surface is fitted to, the triangles of `surface` say themselves: where they are no data,
 ///       the thin-plate energy alone determines it.}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{which edges of `mesh` the creases of the T-mesh stand for, as for
+///       `measure_T_spline_deviation()`: the tolerance holds between them, too}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%edge_descriptor` -> `bool`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_control_points}
 ///     \cgalParamDescription{the most control points that the surface may have}
 ///     \cgalParamType{`std::optional<std::size_t>`}
@@ -214,7 +220,7 @@ fit_adaptive_T_spline(const TMesh& t_mesh, const Carried_surface<T_mesh_graph<TM
     return refused(Status::NO_SURFACE);
   if (!internal::is_known_admissible(t_mesh, np, progress, report.fit.surface.compatibility))
     return refused(progress.is_interrupted() ? Status::INTERRUPTED : Status::INADMISSIBLE);
-  internal::Reference_mesh reference(mesh, point_map, internal::face_is_data_map<TriangleMesh>(np), progress);
+  internal::Reference_mesh reference(mesh, point_map, np, progress);
   if (!reference.is_valid()) {
     report.deviation.status = reference.reading().status;
     report.deviation.vertex = reference.reading().vertex;

@@ -11,7 +11,7 @@
 #include <CGAL/T_splines/Spline/internal/Distances_to_mesh.h>
 #include <CGAL/T_splines/Spline/internal/Distances_to_surface.h>
 #include <CGAL/T_splines/Spline/internal/Fold_search.h>
-#include <CGAL/T_splines/Spline/internal/Free_edge_measurement.h>
+#include <CGAL/T_splines/Spline/internal/Curve_measurement.h>
 #include <CGAL/T_splines/Spline/internal/Measured_mesh.h>
 #include <CGAL/T_splines/Spline/internal/Measured_surface.h>
 #include <CGAL/T_splines/Spline/internal/Triangle_set.h>
@@ -122,14 +122,10 @@ public:
                                       m_reading.faces[farthest.triangle]};
   }
 
-  void measure_free_edge()
+  void measure_curves()
   {
-    using Free_edge = Free_edge_measurement<Measured, TriangleMesh>;
-    Free_edge measurement(m_mesh.triangles, m_reading, m_surface, negligible(), m_progress);
-    if (measurement.is_possible())
-      measurement.measure(
-          m_report.tolerance, [&](const int face, const double distance) { attribute(face, distance); },
-          m_report.free_edge.emplace());
+    measure_curves(Curve_kind::BORDER, m_report.free_edge);
+    measure_curves(Curve_kind::CREASE, m_report.crease);
   }
 
   const std::vector<double>& vertex_distances() const { return m_vertex_distances; }
@@ -137,6 +133,16 @@ public:
   Fold_state face_state(const std::size_t face) const { return m_face_states[face]; }
 
 private:
+  void measure_curves(const Curve_kind kind, std::optional<Curve_deviation<Graph, TriangleMesh>>& result)
+  {
+    Curve_measurement<Measured, TriangleMesh> measurement(m_mesh.triangles, m_reading, m_surface, kind, negligible(),
+                                                          m_progress);
+    if (measurement.is_possible())
+      measurement.measure(
+          m_report.tolerance, [&](const int face, const double distance) { attribute(face, distance); },
+          result.emplace());
+  }
+
   // Without a tolerance, nothing is doubtful.
   double reach_of_doubt() const
   {
@@ -258,6 +264,12 @@ private:
 ///     \cgalParamDefault{all}
 ///     \cgalParamExtra{The bounding box of the mesh is that of the faces that are measured.}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{which edges of the mesh the creases of the surface stand for: they are measured against each
+///       other, as borders are}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%edge_descriptor` -> `bool`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_distance_map}
 ///     \cgalParamDescription{receives the distance of each vertex of the mesh from the surface}
 ///     \cgalParamType{a model of `WritablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
@@ -310,8 +322,7 @@ measure_T_spline_deviation(const Surface& surface, const TriangleMesh& mesh,
     return progress.is_interrupted();
   };
   internal::Triangle_set triangles;
-  const auto reading =
-      internal::read_triangle_set(mesh, point_map, internal::face_is_data_map<TriangleMesh>(np), triangles);
+  const auto reading = internal::read_triangle_set(mesh, point_map, np, triangles);
   report.status = reading.status;
   report.vertex = reading.vertex;
   report.face = reading.face;
@@ -348,8 +359,8 @@ measure_T_spline_deviation(const Surface& surface, const TriangleMesh& mesh,
   measurement.measure_mesh();
   if (is_interrupted())
     return report;
-  progress.begin_stage("free edge");
-  measurement.measure_free_edge();
+  progress.begin_stage("border and creases");
+  measurement.measure_curves();
   if (is_interrupted())
     return report;
   if constexpr (!internal::is_missing<decltype(distance_map)>)

@@ -55,7 +55,6 @@ struct T_mesh_regularization_report {
   std::size_t removals = 0;                                                        ///< edges removed
   std::size_t flips = 0;            ///< edges removed with orthogonal insertion
   std::size_t partial_removals = 0; ///< edges removed in part
-  std::size_t divisions = 0;        ///< faces divided between creases
   std::size_t closed_gaps = 0;      ///< lines shortened that ended close to another one
 
   /// returns whether `status` tells of success.
@@ -107,9 +106,8 @@ void aspect_statistics(const Graph& graph, const Regularization& regularization,
 /// after which the worst of the faces concerned is best, if it is better than before by at least 5 percent. So it
 /// ends. Of two removals, one that leaves a face more is taken only if its worst aspect ratio is better by a factor of
 /// 1.5; and where no face is worse than 1:3, no face is added. Edges at extraordinary vertices are removed only in
-/// part, and no such vertex moves. Constrained edges are never removed, and vertices where they end or turn are treated
-/// as extraordinary ones; where no removal helps a face worse than 1:3 that has a crease on a long side, it is
-/// divided across, at a vertex near the middle if there is one.
+/// part, and no such vertex moves. Creases are never removed, and vertices where they end or turn are treated as
+/// extraordinary ones.
 ///
 /// Afterwards, where two lines end at opposite sides of a third one, and the gap between them is less than a sixteenth
 /// of a face beside it, one of them is shortened, if no face becomes worse than the worst one, or than 1:5: aspect
@@ -174,7 +172,6 @@ T_mesh_regularization_report regularize_T_mesh(TMesh&& t_mesh,
   report.removals = counts.removals;
   report.flips = counts.flips;
   report.partial_removals = counts.partial_removals;
-  report.divisions = counts.divisions;
   report.closed_gaps = counts.closed_gaps;
   internal::aspect_statistics(view.graph(), regularization, report.faces_after, report.worst_aspect_after,
                               report.median_aspect_after);

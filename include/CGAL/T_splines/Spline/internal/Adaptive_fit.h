@@ -182,6 +182,7 @@ private:
     Face face;
     double error;    // the largest one in the face, by the tolerance
     int longer_axis; // of the face: 0 for u, 1 for v
+    bool is_strip;
   };
 
   Fit_quality quality(const T_spline_fit_level& level) const
@@ -358,7 +359,7 @@ private:
     if (!m_measured)
       return;
     const Deviation_report& deviation = m_measured->deviation;
-    error.maximum = (std::max)(deviation.maximum(), deviation.free_edge ? deviation.free_edge->maximum() : 0);
+    error.maximum = (std::max)(deviation.maximum(), deviation.maximum_of_curves());
     error.rms = (std::max)(deviation.mesh_to_surface.rms, deviation.surface_to_mesh.rms);
     if (!deviation.within_tolerance() || deviation.has_folds())
       return;
@@ -382,7 +383,7 @@ private:
         m_reference.measured(), m_reference.reading(), surface, m_caller, level.deviation);
     measurement.measure_surface();
     measurement.measure_mesh();
-    measurement.measure_free_edge();
+    measurement.measure_curves();
     if (m_caller.is_interrupted())
       return std::nullopt;
     for (int i = 0; i < compiled.indexing().number_of_faces(); ++i)
@@ -403,6 +404,7 @@ private:
   void plan(const std::vector<Face_fit>& faces)
   {
     constexpr double error_of_fold = 1.5, smallest_size = 0.1; // by the tolerance
+    constexpr double strip = 3;                                // how long one is, by its width
     std::vector<double> errors(m_plain.t_mesh.graph().number_of_faces(), 0), areas(errors.size(), 0);
     m_area_to_mend = 0;
     for (const Face f : m_fine.t_mesh.graph().faces()) {
@@ -421,12 +423,12 @@ private:
       const double width = CGAL::to_double(coordinates.width(f)), height = CGAL::to_double(coordinates.height(f));
       const double longer_side = std::sqrt(areas[f] * (std::max)(width / height, height / width));
       if (errors[f] > 1 && longer_side > smallest_size * m_tolerance)
-        m_plans.push_back({f, errors[f], width >= height ? 0 : 1});
+        m_plans.push_back({f, errors[f], width >= height ? 0 : 1, (std::max)(width / height, height / width) >= strip});
     }
     std::stable_sort(m_plans.begin(), m_plans.end(), [](const Plan& a, const Plan& b) { return a.error > b.error; });
   }
 
-  // Splits a face into two across its longer side, or into four.
+  // Splits a face into two across its longer side, or into four, those of a strip one after the other.
   template <typename Editor, typename Position>
   void split(const Plan& plan, const bool is_in_four, Editor& editor, const Position& position)
   {
@@ -435,8 +437,9 @@ private:
     if (!is_in_four)
       return;
     const Face other = graph.face(graph.opposite(edit.halfedge)), one = graph.face(edit.halfedge);
+    const int axis = plan.is_strip ? plan.longer_axis : 1 - plan.longer_axis;
     for (const Face f : {one, other})
-      editor.split_face(f, 1 - plan.longer_axis, position(f, 1 - plan.longer_axis));
+      editor.split_face(f, axis, position(f, axis));
   }
 
   static constexpr std::size_t work_per_split = 1000;

@@ -25,15 +25,15 @@ public:
   using TriangleMesh = TriangleMesh_;
 
   /// \param progress it must outlive this; once it is interrupted, what is computed means nothing
-  /// \param is_data which faces are measured
-  template <typename FaceIsDataMap>
-  Reference_mesh(const TriangleMesh& mesh, const VertexPointMap point_map, const FaceIsDataMap is_data,
+  /// \param np as for `read_triangle_set()`
+  template <typename NamedParameters>
+  Reference_mesh(const TriangleMesh& mesh, const VertexPointMap point_map, const NamedParameters& np,
                  Progress& progress)
     : m_mesh(mesh),
       m_point_map(point_map),
       m_progress(progress)
   {
-    m_reading = read_triangle_set(mesh, point_map, is_data, m_triangles);
+    m_reading = read_triangle_set(mesh, point_map, np, m_triangles);
     m_extent = m_triangles.extent();
   }
 

@@ -5,6 +5,7 @@
 #define CGAL_T_SPLINES_SPLINE_INTERNAL_TRIANGLE_SET_H
 
 #include <CGAL/T_splines/Spline/T_spline_deviation_report.h>
+#include <CGAL/T_splines/internal/face_is_data.h>
 #include <CGAL/T_splines/internal/Axis_parallel_box.h>
 #include <CGAL/T_splines/internal/converted_number.h>
 
@@ -36,6 +37,7 @@ struct Triangle_set {
   std::vector<Point_3> points;
   std::vector<std::array<std::size_t, 3>> triangles;
   std::vector<std::array<std::size_t, 2>> border;                      ///< the edges on the border of a mesh
+  std::vector<std::array<std::size_t, 2>> creases;                     ///< its constrained edges, but for those
   std::size_t end_of_data = (std::numeric_limits<std::size_t>::max)(); ///< among the triangles
 
   bool is_data(const std::size_t triangle) const { return triangle < end_of_data; }
@@ -93,17 +95,24 @@ struct Triangle_reading {
   T_spline_deviation_status status = T_spline_deviation_status::MEASURED;
   typename Traits::vertex_descriptor vertex = Traits::null_vertex();
   typename Traits::face_descriptor face = Traits::null_face();
-  std::vector<typename Traits::vertex_descriptor> vertices; ///< of the points
-  std::vector<typename Traits::face_descriptor> faces;      ///< of the triangles
-  std::vector<typename Traits::halfedge_descriptor> border; ///< of the edges on the border
+  std::vector<typename Traits::vertex_descriptor> vertices;  ///< of the points
+  std::vector<typename Traits::face_descriptor> faces;       ///< of the triangles
+  std::vector<typename Traits::halfedge_descriptor> border;  ///< of the edges on the border
+  std::vector<typename Traits::halfedge_descriptor> creases; ///< one of each constrained edge
 };
 
 /// Reads a mesh, the faces that are data first. Its points are the vertices of faces, in the order in which faces name them:
 /// neighbours follow each other.
-template <typename TriangleMesh, typename VertexPointMap, typename FaceIsDataMap>
+/// \param np `face_is_data_map` and `edge_is_constrained_map`
+template <typename TriangleMesh, typename VertexPointMap, typename NamedParameters>
 Triangle_reading<TriangleMesh> read_triangle_set(const TriangleMesh& mesh, const VertexPointMap point_map,
-                                                 const FaceIsDataMap is_data, Triangle_set& set)
+                                                 const NamedParameters& np, Triangle_set& set)
 {
+  using None = CGAL::Static_boolean_property_map<typename boost::graph_traits<TriangleMesh>::edge_descriptor, false>;
+  const auto is_data = face_is_data_map<TriangleMesh>(np);
+  const auto is_crease = CGAL::parameters::choose_parameter<None>(
+      CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained));
+
   using Index_map =
       typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<std::size_t>>::const_type;
   constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
@@ -112,6 +121,7 @@ Triangle_reading<TriangleMesh> read_triangle_set(const TriangleMesh& mesh, const
   for (const auto v : CGAL::make_range(vertices(mesh)))
     put(index, v, none);
   std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> others;
+  auto& creases = reading.creases;
   for (const auto f : CGAL::make_range(faces(mesh)))
     (get(is_data, f) ? reading.faces : others).push_back(f);
   if (!others.empty())
@@ -148,7 +158,12 @@ Triangle_reading<TriangleMesh> read_triangle_set(const TriangleMesh& mesh, const
         set.border.push_back({get(index, source(side, mesh)), get(index, target(side, mesh))});
         reading.border.push_back(opposite(side, mesh));
       }
+      else if (get(is_crease, edge(side, mesh)) && side == halfedge(edge(side, mesh), mesh)) {
+        creases.push_back(side);
+      }
   }
+  for (const auto h : creases)
+    set.creases.push_back({get(index, source(h, mesh)), get(index, target(h, mesh))});
   return reading;
 }
 

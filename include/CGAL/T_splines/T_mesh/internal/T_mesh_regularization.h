@@ -73,8 +73,8 @@ class T_mesh_regularization {
 
 public:
   struct Counts {
-    std::size_t removals = 0, flips = 0, partial_removals = 0, divisions = 0, closed_gaps = 0;
-    std::size_t sum() const { return removals + flips + partial_removals + divisions + closed_gaps; }
+    std::size_t removals = 0, flips = 0, partial_removals = 0, closed_gaps = 0;
+    std::size_t sum() const { return removals + flips + partial_removals + closed_gaps; }
   };
 
   // An operation must make the worst of the faces better by this factor. Then it ends: the sequence of all aspect
@@ -162,10 +162,8 @@ private:
       if (purpose == Purpose::SEPARATION && entry.aspect < thin)
         return;
       Removal best{Traits::null_halfedge(), 0, 1, std::numeric_limits<double>::infinity(), true};
-      const bool is_removed = find_removal(entry.f, purpose, best) && execute(best);
-      if (is_removed || (purpose == Purpose::ASPECT && divide(entry.f))) {
-        ++(!is_removed                      ? m_counts.divisions
-           : best.is_full                   ? m_counts.removals
+      if (find_removal(entry.f, purpose, best) && execute(best)) {
+        ++(best.is_full                     ? m_counts.removals
            : best.from == 0 && best.to == 1 ? m_counts.flips
                                             : m_counts.partial_removals);
         update_queue();
@@ -356,37 +354,6 @@ private:
     const FT length = o.end - o.begin;
     const FT from = FT(r.from) * length, to = r.to == 1 ? length : FT(FT(r.to) * length);
     return bool(m_editor.remove_partly(r.h, from, to));
-  }
-
-  // Divides a face between creases, which cannot become wider: at the vertex of its long sides that is closest
-  // to their middle, if there is one near by.
-  bool divide(const face_descriptor f)
-  {
-    constexpr double nearest_to_end = 0.3; // of the side
-    if (aspect(f) <= small_aspect)
-      return false;
-    const bool is_wide = m_editor.coordinates().width(f) >= m_editor.coordinates().height(f);
-    const int axis = is_wide ? 0 : 1;
-    const FT size = is_wide ? m_editor.coordinates().width(f) : m_editor.coordinates().height(f);
-    FT best = size / FT(2);
-    double best_distance = CGAL::to_double(size) * (0.5 - nearest_to_end);
-    bool has_crease = false;
-    for (const int side : {axis, axis + 2}) {
-      FT x(0);
-      for (halfedge_descriptor h = m_editor.coordinates().first_of_side(f, side);; h = next(h, m_graph)) {
-        has_crease = has_crease || m_t_mesh.is_crease(h);
-        if (m_t_mesh.is_corner(h))
-          break;
-        x += FT(m_t_mesh.knot(h));
-        const FT place = side < 2 ? x : FT(size - x);
-        const double distance = std::abs(CGAL::to_double(FT(place - size / FT(2))));
-        if (distance < best_distance) {
-          best_distance = distance;
-          best = place;
-        }
-      }
-    }
-    return has_crease && bool(m_editor.split_face(f, axis, best));
   }
 
   // Whether lines end at both ends of the edge of h, on opposite sides: on its own side at its target if is_forward, at

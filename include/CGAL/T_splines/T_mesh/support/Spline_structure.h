@@ -64,7 +64,7 @@ public:
     m_progress.go_on();
     if constexpr (!std::is_same<KnotFT, FT>::value)
       m_arrays = Arrays(indexing, t_mesh);
-    find_surface_border();
+    classify_originals();
     if (m_knot_arrays.has_creases()) {
       m_uncut = arrays();
       m_knot_arrays = m_knot_arrays.cut_along_creases();
@@ -299,34 +299,32 @@ private:
     classify_creases();
   }
 
-  // Before creases are cut.
-  void find_surface_border()
+  // What belongs to whole vertices, before creases are cut.
+  void classify_originals()
   {
     m_number_of_fans.assign(m_knot_arrays.number_of_vertices(), 0);
-    for (int h = 0; h < m_knot_arrays.number_of_halfedges(); ++h)
+    m_number_of_creases = m_number_of_fans;
+    m_ends_creases.assign(m_number_of_fans.size(), 0);
+    for (int h = 0; h < m_knot_arrays.number_of_halfedges(); ++h) {
       m_number_of_fans[m_knot_arrays.target(h)] += m_knot_arrays.is_border(h);
+      m_number_of_creases[m_knot_arrays.target(h)] += m_knot_arrays.is_crease(h);
+    }
+    for (int v = 0; v < m_knot_arrays.number_of_vertices(); ++v)
+      m_ends_creases[v] = m_number_of_creases[v] > 0 && m_knot_arrays.ends_creases(v);
   }
 
-  // A crease goes on through a vertex if it is the only one and goes straight on, seen from both sides.
   void classify_creases()
   {
-    std::vector<char> is_end(m_knot_arrays.number_of_original_vertices(), 0);
-    m_number_of_creases.assign(is_end.size(), 0);
     for (int h = 0; h < m_knot_arrays.number_of_halfedges(); ++h)
-      if (m_knot_arrays.is_crease(h) && m_knot_arrays.is_border(h)) {
-        ++m_number_of_creases[m_knot_arrays.original_vertex(m_knot_arrays.target(h))];
+      if (m_knot_arrays.is_crease(h) && m_knot_arrays.is_border(h))
         for (const int v : {m_knot_arrays.source(h), m_knot_arrays.target(h)})
           m_kinds[v].is_natural = true;
-      }
-    for (int v = 0; v < m_knot_arrays.number_of_vertices(); ++v)
-      if (m_kinds[v].is_natural && m_valence[v] != 2)
-        is_end[m_knot_arrays.original_vertex(v)] = 1;
     for (int v = 0; v < m_knot_arrays.number_of_vertices(); ++v) {
+      Vertex_kind& kind = m_kinds[v];
       const int original = m_knot_arrays.original_vertex(v);
-      m_kinds[v].is_natural = m_kinds[v].is_natural || m_kinds[v].is_beside_corner;
-      m_kinds[v].is_on_border = m_number_of_fans[original] > 0;
-      m_kinds[v].ends_lines = m_number_of_creases[original] > 0 &&
-                              (m_kinds[v].is_on_border || is_end[original] != 0 || m_number_of_creases[original] != 2);
+      kind.is_natural = kind.is_natural || kind.is_beside_corner;
+      kind.is_on_border = m_number_of_fans[original] > 0;
+      kind.ends_lines = m_ends_creases[original] != 0;
     }
   }
 
@@ -426,8 +424,9 @@ private:
   std::optional<Arrays> m_uncut; // if there are creases
   bool m_has_border = false;
   std::vector<int> m_valence, m_extraordinary_vertices, m_corner_of_face;
-  std::vector<int> m_number_of_fans;    // per original vertex: between borders of the surface
-  std::vector<int> m_number_of_creases; // per original vertex
+  // Per vertex before creases are cut.
+  std::vector<int> m_number_of_fans, m_number_of_creases; // the fans are those between borders of the surface
+  std::vector<char> m_ends_creases;
   std::vector<Vertex_kind> m_kinds;
   std::vector<Regular_rings<KnotFT>> m_rings;
   std::vector<Basis_knots<FT>> m_knots;

@@ -111,6 +111,18 @@ public:
     return result;
   }
 
+  /// Whether creases end at a vertex: unless it is inside, and a single one goes straight on, seen from both sides.
+  bool ends_creases(const int v) const
+  {
+    int number = 0, between = 0; // quarters between the first and the second one
+    for_each_incoming(v, [&](const int h) {
+      if (number == 1)
+        between += is_corner(h) ? 1 : 2;
+      number += is_crease(h) ? 1 : 0;
+    });
+    return number != 0 && (number != 2 || is_border_vertex(v) || extended_valence(v) != 4 || between != 2);
+  }
+
   /// The vertex, before creases were cut, of which this is a copy.
   int original_vertex(const int v) const
   {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The T_splines authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_T_SPLINES_SPLINE_INTERNAL_FREE_EDGE_MEASUREMENT_H
-#define CGAL_T_SPLINES_SPLINE_INTERNAL_FREE_EDGE_MEASUREMENT_H
+#ifndef CGAL_T_SPLINES_SPLINE_INTERNAL_CURVE_MEASUREMENT_H
+#define CGAL_T_SPLINES_SPLINE_INTERNAL_CURVE_MEASUREMENT_H
 
 #include <CGAL/T_splines/Spline/T_spline_deviation_report.h>
 #include <CGAL/T_splines/Spline/internal/Border_curve.h>
@@ -25,37 +25,39 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// Measures the border of a surface against that of a mesh, both ways. The border of the surface consists of rational
-/// cubic curves. They are divided into arcs that are straight up to what is negligible, whose chords are searched for
+/// Measures the border of a surface, or its creases, against those of a mesh, both ways. The curves of the surface are
+/// rational cubic ones. They are divided into arcs that are straight up to what is negligible, whose chords are searched for
 /// closest points.
 /// \tparam Measured a `Measured_surface`
 /// \tparam TriangleMesh the mesh
 template <typename Measured, typename TriangleMesh>
-class Free_edge_measurement {
+class Curve_measurement {
   using Graph = typename Measured::Compiled::Graph;
-  using Deviation = Free_edge_deviation<Graph, TriangleMesh>;
-  using Place = Free_edge_place<Graph, TriangleMesh>;
+  using Deviation = Curve_deviation<Graph, TriangleMesh>;
+  using Place = Curve_place<Graph, TriangleMesh>;
 
 public:
   /// \param mesh, reading, surface must outlive this
+  /// \param kind BORDER or CREASE
   /// \param negligible distances that need not be told apart
   /// \param progress it must outlive this; if it is interrupted, what was measured means nothing
-  Free_edge_measurement(const Triangle_set& mesh, const Triangle_reading<TriangleMesh>& reading,
-                        const Measured& surface, const double negligible, Progress& progress)
+  Curve_measurement(const Triangle_set& mesh, const Triangle_reading<TriangleMesh>& reading, const Measured& surface,
+                    const Curve_kind kind, const double negligible, Progress& progress)
     : m_mesh(mesh),
-      m_reading(reading),
+      m_mesh_edges(kind == Curve_kind::BORDER ? mesh.border : mesh.creases),
+      m_halfedges(kind == Curve_kind::BORDER ? reading.border : reading.creases),
       m_surface(surface),
       m_progress(progress),
-      m_curves(border_curves(surface.compiled())),
+      m_curves(border_curves(surface.compiled(), kind)),
       m_negligible(negligible)
   {
     for (const Border_curve& curve : m_curves)
       m_whole_arcs.push_back(curve.arc);
-    for (const auto& edge : mesh.border)
+    for (const auto& edge : m_mesh_edges)
       m_edges.push_back({mesh.points[edge[0]], mesh.points[edge[1]], m_edges.size()});
   }
 
-  /// Whether both have a border.
+  /// Whether both have such curves.
   bool is_possible() const { return !m_curves.empty() && !m_edges.empty(); }
 
   /// Measures. \param visit is called with faces, by index, and distances there
@@ -149,7 +151,7 @@ private:
     const auto p =
         t_mesh.point_of_side(curve.face, curve.side, FT(curve.begin + parameter * (curve.end - curve.begin)));
     return {{m_surface.compiled().indexing().face(curve.face), CGAL::to_double(p.first), CGAL::to_double(p.second)},
-            m_reading.border[edge.curve]};
+            m_halfedges[edge.curve]};
   }
 
   // A corner of the surface is where a vertex of the mesh should be.
@@ -157,13 +159,15 @@ private:
   {
     const auto& t_mesh = m_surface.compiled().t_mesh_arrays();
     std::vector<Segment_tree::Segment> vertices;
-    for (const auto& edge : m_mesh.border)
+    for (const auto& edge : m_mesh_edges)
       vertices.push_back({m_mesh.points[edge[0]], m_mesh.points[edge[0]]});
     const Segment_tree tree(std::move(vertices), m_progress);
     for (const Border_curve& curve : m_curves) {
       const double end = CGAL::to_double(t_mesh.end(curve.halfedge));
-      if (end - curve.end > same_point * end || t_mesh.extended_valence(t_mesh.target(curve.halfedge)) == 2 ||
-          !m_progress.go_on_after(20))
+      const int v = t_mesh.target(curve.halfedge);
+      const bool is_corner =
+          t_mesh.is_crease(curve.halfedge) ? t_mesh.ends_creases(v) : t_mesh.extended_valence(v) != 2;
+      if (end - curve.end > same_point * end || !is_corner || !m_progress.go_on_after(20))
         continue;
       ++result.number_of_corners;
       result.largest_corner_distance =
@@ -172,7 +176,8 @@ private:
   }
 
   const Triangle_set& m_mesh;
-  const Triangle_reading<TriangleMesh>& m_reading;
+  const std::vector<std::array<std::size_t, 2>>& m_mesh_edges;
+  const std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor>& m_halfedges; // of the edges
   const Measured& m_surface;
   Progress& m_progress;
   const std::vector<Border_curve> m_curves;
@@ -185,4 +190,4 @@ private:
 } // namespace T_splines
 } // namespace CGAL
 
-#endif // CGAL_T_SPLINES_SPLINE_INTERNAL_FREE_EDGE_MEASUREMENT_H
+#endif // CGAL_T_SPLINES_SPLINE_INTERNAL_CURVE_MEASUREMENT_H
