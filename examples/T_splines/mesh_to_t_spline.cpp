@@ -83,11 +83,61 @@ public:
     m_figures.version = program_version;
   }
 
-  Outcome operator()()
+  /// Computes all there is to be written. \return whether there is something
+  bool compute()
   {
     const bool has_map = m_options.uv.empty() ? read_mesh() && find_map() : read_map();
-    if (has_map && (m_options.is_map_only || make_t_mesh()))
-      write();
+    return has_map && (m_options.is_map_only || make_t_mesh());
+  }
+
+  /// Whether features were looked for without being asked for, and the surface that is sharp there has faults.
+  bool may_give_up_features() const
+  {
+    return interruption_flag == 0 && !m_options.asks_for_features() && m_figures.features &&
+           (!m_figures.t_spline ? m_outcome.exit_code == exit_failure : !m_figures.t_spline->is_faultless());
+  }
+
+  /// Whether the surface of another run has fewer faults. \pre there is one
+  bool is_worse_than(const Run& other) const
+  {
+    if (!m_figures.t_spline || m_outcome.exit_code != EXIT_SUCCESS)
+      return true;
+    const T_spline_figures &mine = *m_figures.t_spline, &others = *other.m_figures.t_spline;
+    return others.is_faultless() || (others.is_within_tolerance() && !mine.is_within_tolerance());
+  }
+
+  /// Says that this is the surface without the features that another run has found.
+  void replaces(const Run& other)
+  {
+    m_figures.features = other.m_figures.features;
+    m_figures.features->given_up =
+        other.m_figures.t_spline ? verdict(*other.m_figures.t_spline) : "not found: " + other.m_outcome.message;
+  }
+
+  /// \pre `compute()` has returned `true`
+  bool write()
+  {
+    m_progress.begin_stage("writing");
+    m_figures.refined = refined_figures(m_results.approximation->mapped_mesh());
+    m_figures.stages = m_progress.stages();
+    m_figures.seconds = m_progress.seconds();
+    m_figures.peak_memory_bytes = peak_memory_bytes();
+    std::string names;
+    const std::string failure = write_output_files(m_options, m_results, m_figures, names);
+    m_progress.end_stage();
+    if (!failure.empty())
+      return fail(exit_failure, failure);
+    if (!m_options.is_quiet) {
+      m_figures.stages = m_progress.stages();
+      m_figures.seconds = m_progress.seconds();
+      print_summary(std::cout, m_figures);
+      std::cout << "  written     " << names << " in " << m_options.output_directory << std::endl;
+    }
+    return true;
+  }
+
+  Outcome outcome() const
+  {
     if (interruption_flag != 0 && m_outcome.exit_code != EXIT_SUCCESS)
       return {exit_interrupted, "interrupted"};
     return m_outcome;
@@ -117,7 +167,7 @@ private:
     if (m_options.largest_hole && !fill_holes(holes.emplace()))
       return false;
     m_figures.input = input_figures(m_results.input, m_options.input_file(), report);
-    if (m_options.asks_for_features() &&
+    if (m_options.looks_for_features() &&
         !goes_on(find_features(m_options, m_progress, m_results.input, m_figures.features)))
       return false;
     m_results.approximation.emplace(m_results.input);
@@ -206,27 +256,6 @@ private:
             goes_on(make_t_spline(m_options, m_solver, m_progress, m_results, m_figures.t_spline.emplace())));
   }
 
-  bool write()
-  {
-    m_progress.begin_stage("writing");
-    m_figures.refined = refined_figures(m_results.approximation->mapped_mesh());
-    m_figures.stages = m_progress.stages();
-    m_figures.seconds = m_progress.seconds();
-    m_figures.peak_memory_bytes = peak_memory_bytes();
-    std::string names;
-    const std::string failure = write_output_files(m_options, m_results, m_figures, names);
-    m_progress.end_stage();
-    if (!failure.empty())
-      return fail(exit_failure, failure);
-    if (!m_options.is_quiet) {
-      m_figures.stages = m_progress.stages();
-      m_figures.seconds = m_progress.seconds();
-      print_summary(std::cout, m_figures);
-      std::cout << "  written     " << names << " in " << m_options.output_directory << std::endl;
-    }
-    return true;
-  }
-
   const Options& m_options;
   Outcome m_outcome;
   Figures m_figures;
@@ -234,6 +263,28 @@ private:
   Chosen_spd_solver_traits m_solver;
   Results m_results;
 };
+
+/// Runs; once more without features, if these were not asked for and make a surface with faults.
+Outcome run(const Options& options)
+{
+  Run run(options);
+  const bool is_computed = run.compute();
+  if (run.may_give_up_features()) {
+    Options without_features = options;
+    without_features.has_features = false;
+    Run other(without_features);
+    if (other.compute() && run.is_worse_than(other)) {
+      other.replaces(run);
+      other.write();
+      return other.outcome();
+    }
+    if (interruption_flag != 0)
+      return {exit_interrupted, "interrupted"};
+  }
+  if (is_computed)
+    run.write();
+  return run.outcome();
+}
 
 void print_help(const Options& options, std::ostream& out)
 {
@@ -274,7 +325,7 @@ int main(const int argc, char** argv)
   std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is an error of writing like any other
 #endif
   try {
-    const Outcome outcome = Run(options)();
+    const Outcome outcome = run(options);
     if (!outcome.message.empty())
       std::cerr << "mesh_to_t_spline: " << outcome.message << "\n";
     return outcome.exit_code;

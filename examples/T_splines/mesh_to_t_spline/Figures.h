@@ -62,6 +62,7 @@ struct Figures {
     std::size_t added_faces = 0;                                 ///< by the refinement at features
     std::vector<std::pair<std::size_t, std::size_t>> soft_edges; ///< that the field does not follow: their vertices
     std::size_t edges_of_map = 0, edges_not_met = 0;             ///< of the refined mesh of the map
+    std::string given_up; ///< what was wrong with the surface along them; empty if it is sharp there
   };
   /// What the alignment of the map did.
   struct Alignment {
@@ -159,6 +160,8 @@ inline void write_features_figures(Json_writer& json, const Figures::Features& f
     json.begin_object().member("from", from).member("to", to).end_object();
   json.end_array();
   json.member("edges_of_map", features.edges_of_map).member("edges_not_met", features.edges_not_met);
+  if (!features.given_up.empty())
+    json.member("given_up", features.given_up);
   json.end_object();
 }
 

@@ -71,13 +71,16 @@ inline std::vector<Option_group> option_table()
         {"--align-boundary", "a field from a file that does not follow the border stands for one with the same cones "
                              "that does; else it is refused"}}},
       {"For the computed field",
-       {{"--features FILE", "edges of the mesh that become edges of the T-mesh: pairs of vertices, counted from 0, one "
-                            "a line; a .sharp file of "
-                            "quadwild; or the lines (l) of an OBJ (none)"},
+       {{"--features FILE",
+         "edges of the mesh along which the surface is sharp: pairs of vertices, counted from 0, one "
+         "a line; a .sharp file of "
+         "quadwild; or the lines (l) of an OBJ (those by angle)"},
         {"--feature-angle DEGREES",
-         "sharp edges become edges of the T-mesh: where the normals of the faces differ by more "
-         "than this, and by more than around (none; " +
-             text_of(T::default_feature_angle) + " is good)"},
+         "the surface is sharp where the normals of the faces differ by more than this, and by more than around (" +
+             text_of(T::default_feature_angle) +
+             "; unless this is given, only where they divide the surface into sides, and if a surface without faults "
+             "comes out)"},
+        {"--no-features", "the surface is smooth everywhere"},
         {"--align-curvature X", "aligns it to principal curvatures: 0 not at all, 100 well (0)"},
         {"--cone-energy X", "cones are merged as long as a merge raises the energy of the map's scale by at most X, a "
                             "number without unit; 0 "

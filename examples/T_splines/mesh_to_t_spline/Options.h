@@ -58,7 +58,8 @@ struct Options {
   std::optional<double> corner_angle; ///< in degrees; none: the default of the library
   bool has_corners = true, is_border_aligned = false;
   std::string features;                ///< a file
-  std::optional<double> feature_angle; ///< in degrees
+  std::optional<double> feature_angle; ///< in degrees; none: the default of the library
+  bool has_features = true;            ///< unless they are asked for, only where the surface is good with them
   CGAL::T_splines::Scale_policy scale_policy = CGAL::T_splines::Scale_policy::UNIT_IF_CONSTRAINED;
   double curvature_alignment = 0;
   std::optional<double> cone_energy; ///< none: the default, which depends on `largest_number_of_cones`
@@ -77,6 +78,10 @@ struct Options {
   bool is_quiet = false, asks_help = false, asks_table = false, asks_version = false;
 
   bool asks_for_features() const { return !features.empty() || feature_angle; }
+  bool looks_for_features() const
+  {
+    return asks_for_features() || (has_features && uv.empty() && field.empty() && cones.empty() && !largest_hole);
+  }
 
   const std::string& input_file() const { return uv.empty() ? mesh : uv; }
 };

@@ -67,6 +67,9 @@ private:
       m_error = "--align-boundary goes with --field: the computed field follows the border";
     else if (!options.features.empty() && options.feature_angle)
       m_error = "--features and --feature-angle exclude each other";
+    else if (!options.has_features && options.asks_for_features())
+      m_error = std::string("--no-features and ") + (options.features.empty() ? "--feature-angle" : "--features") +
+                " exclude each other";
     else if (options.largest_hole && options.asks_for_features())
       m_error = std::string("--fill-holes and ") + (options.features.empty() ? "--feature-angle" : "--features") +
                 " exclude each other: what fills holes meets features anywhere";
@@ -178,6 +181,8 @@ private:
       options.features = value();
     else if (m_name == "--feature-angle")
       options.feature_angle = positive_number(value(), 180);
+    else if (m_name == "--no-features")
+      parse_flag(options.has_features, false);
     else if (m_name == "--align-curvature")
       options.curvature_alignment = number(value());
     else if (m_name == "--cone-energy")

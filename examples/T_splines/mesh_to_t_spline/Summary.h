@@ -257,6 +257,10 @@ inline void print_features(std::ostream& out, const Figures::Features& features)
     out << "; " << features.soft_edges.size() << " edges that the field cannot follow, the first one from vertex "
         << features.soft_edges.front().first << " to " << features.soft_edges.front().second;
   out << "\n";
+  if (!features.given_up.empty()) {
+    out << "              given up: the surface that is sharp there is " << features.given_up << "\n";
+    return;
+  }
   if (features.edges_of_map > 0 && features.edges_not_met > 0)
     out << "              " << features.edges_not_met << " of " << features.edges_of_map
         << " edges in the map are not met: no isolines without turning triangles over\n";

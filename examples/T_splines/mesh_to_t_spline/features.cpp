@@ -33,11 +33,14 @@ Failure find_features(const Options& options, Progress& progress, Mesh& mesh, st
     if (!report.success())
       return {options.features + ": " + describe(report), true};
   }
-  else if (!T::detect_features(mesh, marked, T::parameters::feature_angle(*options.feature_angle, np)).success())
-    return {}; // of a mesh that is no triangle mesh the cross field tells why
+  else {
+    const double angle = options.feature_angle.value_or(T::default_feature_angle);
+    if (!T::detect_features(mesh, marked, T::parameters::feature_angle(angle, np)).success())
+      return {}; // of a mesh that is no triangle mesh the cross field tells why
+  }
   progress.end_stage();
   const T::Feature_figures found = T::feature_figures(mesh, marked);
-  if (found.number_of_edges == 0)
+  if (found.number_of_edges == 0 || (!options.asks_for_features() && !found.divide_surface()))
     return {};
   Mesh refined;
   if (!T::refine_at_features(mesh, marked, refined, features_of(refined), np).success())

@@ -5,10 +5,16 @@
 #define CGAL_T_SPLINES_CROSS_FIELD_FEATURE_FIGURES_H
 
 #include <CGAL/T_splines/Cross_field/support/Feature_arcs.h>
+#include <CGAL/T_splines/Cross_field/support/Triangle_geometry.h>
 #include <CGAL/T_splines/internal/Mesh_indexing.h>
 #include <CGAL/T_splines/internal/Triangulation_connectivity.h>
 #include <CGAL/T_splines/internal/halfedge_indices.h>
 
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -25,6 +31,18 @@ struct Feature_figures {
   int number_of_corners = 0;        ///< vertices inside with three marked edges or more
   int number_of_darts = 0;          ///< vertices inside where a single marked edge ends
   int number_of_ends_on_border = 0; ///< vertices on the border with a marked edge
+  double relative_length = 0; ///< of all marked edges, by the square root of the area; `feature_figures()` has it alone
+
+  /// returns whether the features are the edges of a part with sides, rather than ridges of something rounded: they are
+  /// long, and hardly any of them ends inside.
+  ///
+  /// The bounds: on 60 meshes of mechanical parts 0 to 9 percent of the arcs end inside, and the relative length is 3.3
+  /// (a pipe) to 38; on 25 of statues, animals and scans either less than 3, or more than 20 percent end inside.
+  bool divide_surface() const
+  {
+    constexpr double least_length = 3, largest_share = 0.1;
+    return relative_length >= least_length && number_of_darts <= largest_share * number_of_arcs;
+  }
 };
 
 /// \ingroup PkgTSplinesCrossField
@@ -80,14 +98,37 @@ std::vector<char> inner_features(const Mesh_indexing<TriangleMesh>& indexing, co
 /// \tparam EdgeIsFeatureMap a model of `ReadablePropertyMap` from edges to `bool`
 /// \param mesh a triangle mesh, with or without border
 /// \param edge_is_feature the edges that are features
+/// \param np an optional sequence of named parameters among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map with the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Point_3`}
+///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// Complexity: linear in the size of the mesh.
-template <typename TriangleMesh, typename EdgeIsFeatureMap>
-Feature_figures feature_figures(const TriangleMesh& mesh, const EdgeIsFeatureMap& edge_is_feature)
+template <typename TriangleMesh, typename EdgeIsFeatureMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Feature_figures feature_figures(const TriangleMesh& mesh, const EdgeIsFeatureMap& edge_is_feature,
+                                const NamedParameters& np = CGAL::parameters::default_values())
 {
   const internal::Mesh_indexing<TriangleMesh> indexing(mesh);
   const internal::Triangulation_connectivity connectivity = internal::triangulation_connectivity(indexing);
-  return internal::figures_of_features(connectivity, internal::inner_features(indexing, connectivity, edge_is_feature));
+  const std::vector<char> is_feature = internal::inner_features(indexing, connectivity, edge_is_feature);
+  Feature_figures figures = internal::figures_of_features(connectivity, is_feature);
+  const auto point_map =
+      CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+                                         get_const_property_map(CGAL::vertex_point, mesh));
+  const internal::Triangle_geometry geometry = internal::triangle_geometry(indexing, connectivity, point_map);
+  double length = 0;
+  for (int e = 0; e < connectivity.number_of_edges(); ++e)
+    length += is_feature[e] != 0 ? geometry.m_edge_length[e] : 0;
+  const double area = std::accumulate(geometry.m_area.begin(), geometry.m_area.end(), 0.);
+  figures.relative_length = area > 0 ? length / std::sqrt(area) : 0;
+  return figures;
 }
 
 } // namespace T_splines
