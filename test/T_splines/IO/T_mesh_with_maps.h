@@ -38,15 +38,48 @@ struct T_mesh_with_maps {
   using Knot_map = boost::associative_property_map<std::map<Halfedge, FT>>;
   using Corner_map = boost::associative_property_map<std::map<Halfedge, bool>>;
 
+  /// By one halfedge of the edge: not all graphs order edges.
+  class Crease_map {
+  public:
+    using key_type = typename boost::graph_traits<Graph>::edge_descriptor;
+    using value_type = bool;
+    using reference = bool;
+    using category = boost::read_write_property_map_tag;
+
+    Crease_map(const Graph& graph, std::map<Halfedge, bool>& creases) : m_graph(&graph), m_creases(&creases) {}
+
+    friend bool get(const Crease_map& map, const key_type e)
+    {
+      const auto found = map.m_creases->find(map.halfedge_of(e));
+      return found != map.m_creases->end() && found->second;
+    }
+    friend void put(const Crease_map& map, const key_type e, const bool is_crease)
+    {
+      (*map.m_creases)[map.halfedge_of(e)] = is_crease;
+    }
+
+  private:
+    Halfedge halfedge_of(const key_type e) const
+    {
+      const Halfedge h = halfedge(e, *m_graph), o = opposite(h, *m_graph);
+      return o < h ? o : h;
+    }
+
+    const Graph* m_graph;
+    std::map<Halfedge, bool>* m_creases;
+  };
+
   Graph graph;
   mutable std::map<Halfedge, FT> knots;
   mutable std::map<Halfedge, bool> corners;
+  mutable std::map<Halfedge, bool> creases; ///< of one halfedge of each edge
   mutable std::map<Vertex, double> weights;
 
   Knot_map knot_map() const { return Knot_map(knots); }
   Corner_map corner_map() const { return Corner_map(corners); }
-  T::T_mesh_view<Graph, Knot_map, Corner_map> view() { return {graph, knot_map(), corner_map()}; }
-  T::T_mesh_view<const Graph, Knot_map, Corner_map> view() const { return {graph, knot_map(), corner_map()}; }
+  Crease_map crease_map() const { return Crease_map(graph, creases); }
+  auto view() { return T::T_mesh_view(graph, knot_map(), corner_map(), crease_map()); }
+  auto view() const { return T::T_mesh_view(graph, knot_map(), corner_map(), crease_map()); }
   auto weight_map() const { return boost::make_assoc_property_map(weights); }
 
   T::T_mesh_reading_report read(const std::string& filename)

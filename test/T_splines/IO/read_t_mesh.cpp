@@ -109,6 +109,10 @@ const std::map<std::string, Bad_file>& bad_files()
       {"opposite_ends", {Status::OPPOSITE_ENDS_DIFFER, "(face 0, entry 0, "}},
       {"inconsistent_orientation",
        {Status::OPPOSITE_ENDS_DIFFER, "runs from vertex 2 to 3, its opposite 15 from 2 to 3"}},
+      {"fewer_creases", {Status::LIST_LENGTHS_DIFFER, "(face 3, counted from 0): crease has 3 entries"}},
+      {"crease_two", {Status::SYNTAX_ERROR, "(face 3, entry 2, counted from 0): in the list crease, found \"2\""}},
+      {"crease_not_mutual",
+       {Status::CREASE_NOT_MUTUAL, "(face 3, entry 0, counted from 0): halfedge 12 is a crease, and its opposite 18"}},
       {"isolated_vertex", {Status::ISOLATED_VERTEX, "(vertex 8, "}},
       {"non_manifold_vertex", {Status::NON_MANIFOLD_VERTEX, "(vertex 7, "}},
       {"touching_faces", {Status::NON_MANIFOLD_VERTEX, "(vertex 2, "}},
@@ -182,7 +186,7 @@ TEST_CASE("every bad T-mesh file is refused with its element, and the graph stay
     CHECK(description.find(message(report.status)) != std::string::npos);
     CHECK(description.find(expected->second.description) != std::string::npos);
     CHECK((t.graph.number_of_vertices() == 0 && t.graph.number_of_halfedges() == 0 && t.graph.number_of_faces() == 0));
-    CHECK((t.knots.empty() && t.corners.empty()));
+    CHECK((t.knots.empty() && t.corners.empty() && t.creases.empty()));
   }
   for (const auto& file : bad_files())
     CHECK(std::filesystem::exists(bad + file.first + ".ply"));
@@ -199,6 +203,46 @@ TEST_CASE("a file that is cut off anywhere is refused")
     CHECK_FALSE(report.success());
     CHECK(t.graph.number_of_vertices() == 0);
   }
+}
+
+TEMPLATE_TEST_CASE("edges are creases where the file says so, but not on the border", "", Surface_mesh, Polyhedron,
+                   Cell_complex)
+{
+  T_mesh_with_maps<TestType> cube;
+  REQUIRE(cube.read(good + "creases.ply").success());
+  CHECK(cube.creases.size() == 12);
+  int number = 0;
+  for (const auto& [e, is_crease] : cube.creases)
+    number += is_crease;
+  CHECK(number == 4);
+
+  std::string content = file_content(good + "border.ply");
+  const auto insert = [&content](const std::string& after, const std::string& what) {
+    const std::size_t at = content.find(after);
+    REQUIRE(at != std::string::npos);
+    content.insert(at + after.size(), what);
+  };
+  insert("property list uchar int opposite\n", "property list uchar uchar crease\n");
+  insert("5 -1 -1 9 5 -1", " 5 1 1 0 0 0");
+  insert("4 3 12 -1 -1", " 4 0 0 1 1");
+  insert("4 2 -1 -1 6", " 4 0 0 0 0");
+  T_mesh_with_maps<TestType> border;
+  std::istringstream in(content);
+  const auto np = T::parameters::vertex_weight_map(border.weight_map());
+  REQUIRE(T::read_t_mesh(in, border.view(), np).success());
+  for (const auto& [e, is_crease] : border.creases)
+    CHECK_FALSE(is_crease);
+  CHECK(border.text() == file_content(good + "border.ply"));
+}
+
+TEST_CASE("creases of a file are lost where there is no map of them")
+{
+  T_mesh_with_maps<Surface_mesh> t;
+  const T::T_mesh_view view(t.graph, t.knot_map(), t.corner_map());
+  REQUIRE(T::read_t_mesh(good + "creases.ply", view).success());
+  std::ostringstream out;
+  REQUIRE_FALSE(T::write_t_mesh(out, view));
+  CHECK(out.str().find("crease") == std::string::npos);
 }
 
 TEST_CASE("no file, a directory, a stream that failed")
@@ -242,6 +286,7 @@ public:
     std::istringstream in(content);
     std::string line, word;
     std::size_t vertices = 0, faces = 0;
+    const bool has_creases = content.find(" crease\n") != std::string::npos;
     while (std::getline(in, line) && line != "end_header") {
       std::istringstream words(line);
       words >> word;
@@ -254,6 +299,7 @@ public:
           << "property double x\nproperty double y\nproperty list uchar short tags\nelement face " << faces
           << "\nproperty list ushort short opposite\nproperty float area\nproperty list uchar double halfedge_knots\n"
           << "property list uint uint vertex_index\nproperty list uchar short other\nproperty list uchar int corner\n"
+          << (has_creases ? "property list ushort float crease\n" : "")
           << "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n";
     for (int i = 0; i < 2; ++i) {
       put<unsigned char>(i);
@@ -278,6 +324,8 @@ public:
       put_list<unsigned int, unsigned int>(indices);
       put_list<unsigned char, short>({});
       put_list<unsigned char, int>(corners);
+      if (has_creases)
+        put_list<unsigned short, float>(list(in));
       end_row();
     }
     put<int>(0);

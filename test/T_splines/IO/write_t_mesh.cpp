@@ -81,8 +81,8 @@ TEMPLATE_TEST_CASE("doubles survive writing and reading, bit by bit", "", Surfac
 {
   const Temporary_directory directory;
   const std::string file = directory.file("t_mesh.ply"), file_again = directory.file("again.ply");
-  for (const char* name :
-       {"t_joints.ply", "scaled_torus.ply", "sphere_of_one_face.ply", "torus_of_one_face.ply", "border.ply"}) {
+  for (const char* name : {"t_joints.ply", "creases.ply", "scaled_torus.ply", "sphere_of_one_face.ply",
+                           "torus_of_one_face.ply", "border.ply"}) {
     T_mesh_with_maps<TestType> t, read;
     REQUIRE(t.read(good + name).success());
     randomize(t);
@@ -139,6 +139,28 @@ TEST_CASE("exact knots are rounded, each by itself, and are admissible up to rou
       CHECK(CGAL::abs(error) < CGAL::Exact_rational(2 * std::numeric_limits<double>::epsilon()));
     }
   }
+}
+
+TEST_CASE("creases are written if there are any, those of the border are none")
+{
+  T_mesh_with_maps<Surface_mesh> t;
+  REQUIRE(t.read(good + "border.ply").success());
+  const std::string text = t.text();
+  for (const auto e : edges(t.graph))
+    if (t.graph.is_border(e))
+      put(t.crease_map(), e, true);
+  CHECK(t.text() == text);
+  for (const auto e : edges(t.graph))
+    put(t.crease_map(), e, true);
+  std::string with_creases = text;
+  const auto insert = [&with_creases](const std::string& after, const std::string& what) {
+    with_creases.insert(with_creases.find(after) + after.size(), what);
+  };
+  insert("property list uchar int opposite\n", "property list uchar uchar crease\n");
+  insert("5 -1 -1 9 5 -1", " 5 0 0 1 1 0");
+  insert("4 3 12 -1 -1", " 4 1 1 0 0");
+  insert("4 2 -1 -1 6", " 4 1 0 0 1");
+  CHECK(t.text() == with_creases);
 }
 
 TEST_CASE("other points and weights than the graph's own can be written")

@@ -30,6 +30,7 @@ enum class T_mesh_reading_status {
   WRONG_NUMBER_OF_CORNERS, ///< a face turns by a right angle at more or less than four of its vertices
   OPPOSITE_NOT_MUTUAL,     ///< the opposite of a halfedge is the halfedge itself, or has another opposite
   OPPOSITE_ENDS_DIFFER,    ///< a halfedge and its opposite do not run between the same vertices in opposite directions
+  CREASE_NOT_MUTUAL,       ///< an edge is a crease in one of its two faces only
   ISOLATED_VERTEX,         ///< a vertex belongs to no face
   NON_MANIFOLD_VERTEX,     ///< the faces at a vertex form more than one fan
   UNEQUAL_SIDES,           ///< the knot intervals on opposite sides of a face have different sums
@@ -59,6 +60,7 @@ inline const char* message(const T_mesh_reading_status status)
   case Status::OPPOSITE_NOT_MUTUAL: return "a halfedge and its opposite do not name each other";
   case Status::OPPOSITE_ENDS_DIFFER:
     return "a halfedge and its opposite do not run between the same vertices in opposite directions";
+  case Status::CREASE_NOT_MUTUAL: return "an edge is a crease in one of its two faces, and none in the other";
   case Status::ISOLATED_VERTEX: return "a vertex is isolated: it belongs to no face";
   case Status::NON_MANIFOLD_VERTEX: return "a vertex is not manifold: its faces form more than one fan";
   case Status::UNEQUAL_SIDES:

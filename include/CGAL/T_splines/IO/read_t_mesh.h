@@ -98,6 +98,10 @@ T_mesh_reading_report read_t_mesh_text(const std::string_view content, TMesh& t_
 /// `f`: so the frames of the faces are those of the T-mesh that was written. The surface may have a border, and the
 /// T-mesh need not be simple: a face may have a vertex or an edge twice.
 ///
+/// Edges are creases where the file says so; files without the list `crease` have none. On the border the list means
+/// nothing, as an edge of the border is no crease. If `t_mesh` has no map of creases, they are lost, and the surface is
+/// another one.
+///
 /// Knot intervals are admissible if the sums on opposite sides of a face and the products of ratios around a vertex
 /// agree up to a relative tolerance. Doubles are exact in an exact number type; but T-meshes whose knots were rounded
 /// when they were written are not exactly admissible.

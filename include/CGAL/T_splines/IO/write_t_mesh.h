@@ -81,15 +81,26 @@ private:
   std::vector<halfedge_descriptor> m_first_halfedges;
 };
 
+/// Whether an edge is a crease, which those of the border are not. \tparam TMesh a `T_mesh_view`
+template <typename TMesh>
+bool is_crease_inside(const typename TMesh::halfedge_descriptor h, const TMesh& t_mesh)
+{
+  return t_mesh.is_crease(h) && !is_border(opposite(h, t_mesh.graph()), t_mesh.graph());
+}
+
 /// \param longest_list decides of what type the lengths of the lists are: some programs read only those of one byte
 inline void format_t_mesh_header(Text_writer& writer, const std::size_t number_of_vertices,
-                                 const std::size_t number_of_faces, const std::size_t longest_list)
+                                 const std::size_t number_of_faces, const std::size_t longest_list,
+                                 const bool has_creases)
 {
   const std::string_view list = longest_list < 256 ? "\nproperty list uchar " : "\nproperty list int ";
   writer << "ply\nformat ascii 1.0\ncomment T-mesh with halfedge knots\nelement vertex " << number_of_vertices
          << "\nproperty double x\nproperty double y\nproperty double z\nproperty double w\nelement face "
          << number_of_faces << list << "int vertex_indices" << list << "double halfedge_knots" << list << "uchar corner"
-         << list << "int opposite\nend_header\n";
+         << list << "int opposite";
+  if (has_creases)
+    writer << list << "uchar crease";
+  writer << "\nend_header\n";
 }
 
 /// \param t_mesh a `T_mesh_view`
@@ -105,10 +116,14 @@ void format_t_mesh(Text_writer& writer, const TMesh& t_mesh, const VertexPointMa
     return static_cast<std::size_t>(std::distance(halfedges.begin(), halfedges.end()));
   };
   std::size_t longest_list = 0;
-  for (const auto first : numbering.first_halfedges())
+  bool has_creases = false;
+  for (const auto first : numbering.first_halfedges()) {
     longest_list = (std::max)(longest_list, length_of_lists(first));
+    for (const auto h : CGAL::halfedges_around_face(first, graph))
+      has_creases = has_creases || is_crease_inside(h, t_mesh);
+  }
   format_t_mesh_header(writer, static_cast<std::size_t>(std::distance(vertex_range.first, vertex_range.second)),
-                       numbering.first_halfedges().size(), longest_list);
+                       numbering.first_halfedges().size(), longest_list, has_creases);
   for (const auto v : CGAL::make_range(vertex_range)) {
     writer.write_coordinates(get(vertex_point_map, v)) << " " << CGAL::to_double(get(vertex_weight_map, v)) << "\n";
   }
@@ -131,6 +146,11 @@ void format_t_mesh(Text_writer& writer, const TMesh& t_mesh, const VertexPointMa
         writer << " -1";
       else
         writer << " " << numbering.halfedge_number(g);
+    }
+    if (has_creases) {
+      writer << " " << n;
+      for (const auto h : halfedges)
+        writer << (is_crease_inside(h, t_mesh) ? " 1" : " 0");
     }
     writer << "\n";
   }
@@ -162,6 +182,9 @@ void format_t_mesh(Text_writer& writer, const TMesh& t_mesh, const NamedParamete
 /// - `corner` (uchar): entry i is 1 if the face turns by a right angle at vertex i, else 0; four entries are 1;
 /// - `opposite` (int): entry i names the opposite of the halfedge from vertex i to vertex i + 1, by its number when
 ///   the halfedges are counted from 0 over all faces in order; -1 at the border.
+///
+/// If the T-mesh has creases, there is a fifth list, `crease` (uchar): entry i is 1 if the edge from vertex i to
+/// vertex i + 1 is a crease, in the lists of both of its faces, else 0; on the border it is 0.
 ///
 /// The lengths of the lists are of the type `uchar`, or `int` if a face has more than 255 vertices.
 ///

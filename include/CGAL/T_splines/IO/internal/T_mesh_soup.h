@@ -25,6 +25,7 @@ struct T_mesh_soup {
   std::vector<double> knots;                     ///< per halfedge
   std::vector<char> is_corner;                   ///< per halfedge: whether its face turns where it begins
   std::vector<std::size_t> opposites;            ///< per halfedge: a halfedge, or `border`
+  std::vector<char> is_crease;                   ///< per halfedge: whether its edge is said to be one; or empty
 
   std::size_t number_of_vertices() const { return points.size(); }
   std::size_t number_of_faces() const { return first_halfedge.size() - 1; }
@@ -58,6 +59,12 @@ public:
   }
 
   bool is_border_edge(const std::size_t h) const { return m_soup.opposites[h] == T_mesh_soup::border; }
+
+  /// An edge of the border is none, whatever the file says.
+  bool is_crease(const std::size_t h) const
+  {
+    return !m_soup.is_crease.empty() && m_soup.is_crease[h] != 0 && !is_border_edge(h);
+  }
 
   /// The halfedge that leaves the source of `h` clockwise before `h`; `border` at the end of a fan.
   std::size_t clockwise(const std::size_t h) const

@@ -46,6 +46,8 @@ public:
     for (std::size_t h = 0; h < soup.number_of_halfedges(); ++h) {
       t_mesh.set_knot(halfedge_of(h), typename TMesh::FT(soup.knots[h]));
       t_mesh.set_corner(halfedge_before(h), soup.is_corner[h] != 0);
+      if (is_first_of_edge(soup, h))
+        t_mesh.set_crease(halfedge_of(h), m_links.is_crease(h));
     }
   }
 

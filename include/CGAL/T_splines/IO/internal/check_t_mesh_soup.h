@@ -35,20 +35,24 @@ inline T_mesh_reading_report report_of_face(const T_mesh_soup& soup, const T_mes
   return report;
 }
 
+inline T_mesh_reading_report report_of_halfedge(const T_mesh_soup& soup, const T_mesh_links& links,
+                                                const T_mesh_reading_status status, const std::size_t h,
+                                                const std::string& detail)
+{
+  T_mesh_reading_report report = report_of_face(soup, status, links.face(h));
+  report.index = links.index_in_face(h);
+  report.detail = detail;
+  return report;
+}
+
 /// Whether `opposite` is an involution without fixed points on the inner halfedges, and its ends match.
 inline T_mesh_reading_report check_opposites(const T_mesh_soup& soup, const T_mesh_links& links)
 {
   using Status = T_mesh_reading_status;
-  const auto report_of_halfedge = [&](const Status status, const std::size_t h, const std::string& detail) {
-    T_mesh_reading_report report = report_of_face(soup, status, links.face(h));
-    report.index = links.index_in_face(h);
-    report.detail = detail;
-    return report;
-  };
   const auto number = [](const std::size_t i) { return i == T_mesh_soup::border ? "-1" : std::to_string(i); };
   for (std::size_t h = 0; h < soup.number_of_halfedges(); ++h)
     if (soup.opposites[h] != T_mesh_soup::border && soup.opposites[h] >= soup.number_of_halfedges())
-      return report_of_halfedge(Status::INDEX_OUT_OF_RANGE, h,
+      return report_of_halfedge(soup, links, Status::INDEX_OUT_OF_RANGE, h,
                                 "opposite is " + number(soup.opposites[h]) + ", and there are " +
                                     number(soup.number_of_halfedges()) + " halfedges");
   for (std::size_t h = 0; h < soup.number_of_halfedges(); ++h) {
@@ -56,11 +60,11 @@ inline T_mesh_reading_report check_opposites(const T_mesh_soup& soup, const T_me
     if (g == T_mesh_soup::border)
       continue;
     if (g == h || soup.opposites[g] != h)
-      return report_of_halfedge(Status::OPPOSITE_NOT_MUTUAL, h,
+      return report_of_halfedge(soup, links, Status::OPPOSITE_NOT_MUTUAL, h,
                                 "halfedge " + number(h) + " has the opposite " + number(g) + ", and that has " +
                                     number(soup.opposites[g]));
     if (links.source(h) != links.target(g) || links.target(h) != links.source(g))
-      return report_of_halfedge(Status::OPPOSITE_ENDS_DIFFER, h,
+      return report_of_halfedge(soup, links, Status::OPPOSITE_ENDS_DIFFER, h,
                                 "halfedge " + number(h) + " runs from vertex " + number(links.source(h)) + " to " +
                                     number(links.target(h)) + ", its opposite " + number(g) + " from " +
                                     number(links.source(g)) + " to " + number(links.target(g)));
@@ -92,11 +96,24 @@ inline T_mesh_reading_report check_fans(const T_mesh_soup& soup, const T_mesh_li
   return T_mesh_reading_report();
 }
 
-/// Finds the first reason why a soup is not an oriented 2-manifold with or without border.
+/// Whether the faces on both sides of each edge agree whether it is a crease. \pre `check_opposites()` found nothing.
+inline T_mesh_reading_report check_creases(const T_mesh_soup& soup, const T_mesh_links& links)
+{
+  for (std::size_t h = 0; h < soup.number_of_halfedges(); ++h)
+    if (links.is_crease(h) && !links.is_crease(soup.opposites[h]))
+      return report_of_halfedge(soup, links, T_mesh_reading_status::CREASE_NOT_MUTUAL, h,
+                                "halfedge " + std::to_string(h) + " is a crease, and its opposite " +
+                                    std::to_string(soup.opposites[h]) + " is none");
+  return T_mesh_reading_report();
+}
+
+/// Finds the first reason why a soup is not an oriented 2-manifold with or without border, or its creases are none.
 inline T_mesh_reading_report check_t_mesh_soup(const T_mesh_soup& soup)
 {
   const T_mesh_links links(soup);
-  const T_mesh_reading_report report = check_opposites(soup, links);
+  T_mesh_reading_report report = check_opposites(soup, links);
+  if (report.success())
+    report = check_creases(soup, links);
   return report.success() ? check_fans(soup, links) : report;
 }
 

@@ -22,20 +22,21 @@ namespace CGAL {
 namespace T_splines {
 namespace internal {
 
-/// What a T-mesh file needs: numbers of the vertices, then lists of the faces.
-enum class T_mesh_property { X, Y, Z, W, VERTEX_INDICES, HALFEDGE_KNOTS, CORNER, OPPOSITE, OTHER };
+/// What stands in a T-mesh file: numbers of the vertices, then lists of the faces. All but creases are needed.
+enum class T_mesh_property { X, Y, Z, W, VERTEX_INDICES, HALFEDGE_KNOTS, CORNER, OPPOSITE, CREASE, OTHER };
 
 /// As the writer announces them.
 inline std::string_view line_of(const T_mesh_property property)
 {
-  constexpr std::array<std::string_view, 8> lines = {"property double x",
+  constexpr std::array<std::string_view, 9> lines = {"property double x",
                                                      "property double y",
                                                      "property double z",
                                                      "property double w",
                                                      "property list uchar int vertex_indices",
                                                      "property list uchar double halfedge_knots",
                                                      "property list uchar uchar corner",
-                                                     "property list uchar int opposite"};
+                                                     "property list uchar int opposite",
+                                                     "property list uchar uchar crease"};
   return lines[static_cast<std::size_t>(property)];
 }
 
@@ -141,6 +142,10 @@ public:
         m_soup.opposites.push_back(value >= 0 ? static_cast<std::size_t>(value) : T_mesh_soup::border);
       break;
     }
+    case T_mesh_property::CREASE:
+      report = check_index(value, 0, 1, Status::SYNTAX_ERROR);
+      m_soup.is_crease.push_back(value == 1);
+      break;
     case T_mesh_property::OTHER: break;
     }
     return report;
@@ -205,11 +210,12 @@ private:
     for (int i = 0; i < static_cast<int>(T_mesh_property::OTHER); ++i) {
       const std::string line = "\"" + std::string(line_of(static_cast<T_mesh_property>(i))) + "\"";
       const char* element = i < static_cast<int>(T_mesh_property::VERTEX_INDICES) ? "vertex" : "face";
-      if (number[i] == 0)
+      if (number[i] == 0 && static_cast<T_mesh_property>(i) != T_mesh_property::CREASE)
         return syntax_error(line + " is needed in the element " + element);
       if (number[i] > 1)
         return syntax_error(line + " may occur once in the element " + element);
     }
+    m_has_creases = number[static_cast<std::size_t>(T_mesh_property::CREASE)] > 0;
     return m_number_of_faces == 0 ? report_here(Status::EMPTY) : Report();
   }
 
@@ -254,8 +260,8 @@ private:
   {
     Report report;
     for (const T_mesh_property list :
-         {T_mesh_property::HALFEDGE_KNOTS, T_mesh_property::CORNER, T_mesh_property::OPPOSITE})
-      if (report.success())
+         {T_mesh_property::HALFEDGE_KNOTS, T_mesh_property::CORNER, T_mesh_property::OPPOSITE, T_mesh_property::CREASE})
+      if (report.success() && (list != T_mesh_property::CREASE || m_has_creases))
         report = check_length(list);
     return report;
   }
@@ -277,8 +283,9 @@ private:
   Ply_reader m_reader;
   T_mesh_soup& m_soup;
   std::size_t m_number_of_vertices = 0, m_number_of_faces = 0;
+  bool m_has_creases = false;                     // in the header
   std::array<double, 4> m_point = {{0, 0, 0, 0}}; // of the row
-  std::array<std::size_t, 4> m_lengths = {};      // of the lists of the row
+  std::array<std::size_t, 5> m_lengths = {};      // of the lists of the row
 };
 
 } // namespace internal
