@@ -133,9 +133,21 @@ private:
     switch (report.status) {
     case Status::NOT_CONFORMING: CHECK(degree(report.face, m_t.mesh) > 4); break;
     case Status::LINE_MEETS_ITSELF: CHECK(degree(report.face, m_t.mesh) == 4); break;
-    case Status::AT_EXTRAORDINARY_VERTEX: CHECK(CGAL::T_splines::is_extraordinary(report.vertex, m_t)); break;
+    case Status::NEAR_CREASE: CHECK(report.vertex != boost::graph_traits<typename Mesh::Graph>::null_vertex()); break;
+    case Status::AT_EXTRAORDINARY_VERTEX:
+      CHECK((CGAL::T_splines::is_extraordinary(report.vertex, m_t) || has_crease(report.vertex)));
+      break;
     default: FAIL(message(report.status));
     }
+  }
+
+  template <typename Vertex>
+  bool has_crease(const Vertex v) const
+  {
+    for (const auto h : CGAL::halfedges_around_target(halfedge(v, m_t.mesh), m_t.mesh))
+      if (get(m_t.creases(), edge(h, m_t.mesh)))
+        return true;
+    return false;
   }
 
   // The largest one of a coordinate.
@@ -189,6 +201,19 @@ void cut_squares(Mesh& t, const int times)
       const int axis = width < height ? 1 : 0;
       editor.split_face(f, axis, typename Mesh::FT((axis == 0 ? width : height) / 2));
     }
+  }
+}
+
+// Makes so many edges creases, from a halfedge straight on, up to where it turns.
+template <typename Mesh>
+void add_crease(const Mesh& t, typename Mesh::halfedge_descriptor h, const int number)
+{
+  for (int i = 0; i < number; ++i) {
+    put(t.creases(), edge(h, t.mesh), true);
+    const auto o = opposite(next(h, t.mesh), t.mesh);
+    if (is_border(h, t.mesh) || is_border(o, t.mesh))
+      return;
+    h = next(o, t.mesh);
   }
 }
 
@@ -422,6 +447,95 @@ TEST_CASE("lines on a surface where loops scale and turn", "[insert_knot_line]")
     CHECK(beside);
     CHECK(int(beside.inserted_vertices) == torus.rows + (turns ? 0 : 2));
   }
+}
+
+TEST_CASE("lines across creases and beside them change nothing, exactly", "[insert_knot_line]")
+{
+  CGAL::Random random(14);
+  for (const int cuts : {0, 1, 2}) { // between creases one interval suffices
+    Exact_mesh t(test_t_meshes::cube<Rational>());
+    for (const auto e : edges(t.mesh))
+      put(t.creases(), e, true);
+    cut_squares(t, cuts);
+    prepare(t, random);
+    Marked_surface<Exact_mesh> surface(t, 6, random);
+    surface.insert_randomly(4, random);
+    CHECK(surface.count(Status::INSERTED) == 4);
+  }
+}
+
+TEST_CASE("lines beside places where creases end at others", "[insert_knot_line]")
+{
+  CGAL::Random random(15);
+  // The lines y = 0 and y = 4 are creases, and x = 4 from one to the other.
+  Planar_t_mesh plane({0, 1, 2, 3, 4, 5, 6, 7, 8}, {0, 1, 2, 3, 4, 5, 6, 7, 8}, true);
+  const auto insert = [&](const int axis, const Position& p) {
+    Exact_mesh t(plane.faces<Rational>());
+    for (int i = 0; i < 8; ++i) {
+      add_crease(t, t.halfedge_of(plane.rectangle_at({i + 0.5, 0.5}), 0), 1);
+      add_crease(t, t.halfedge_of(plane.rectangle_at({i + 0.5, 4.5}), 0), 1);
+    }
+    for (int i = 0; i < 4; ++i)
+      add_crease(t, t.halfedge_of(plane.rectangle_at({4.5, i + 0.5}), 3), 1);
+    t.set_random_controls(random);
+    Marked_surface<Exact_mesh> surface(t, 3, random);
+    return insert_in_plane(t, surface, plane, axis, p).status;
+  };
+  for (const double y : {0.5, 1.5, 2.5, 3.5}) // across x = 4
+    CHECK(insert(1, {0.5, y}) == Status::INSERTED);
+  for (const double y : {4.5, 5.5, 6.5, 7.5}) // beyond, where y = 0 and y = 4 end and the surface goes straight on
+    CHECK(insert(1, {0.5, y}) == Status::NEAR_CREASE);
+  for (const double x : {0.5, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5}) // along x = 4, which ends
+    CHECK(insert(0, {x, 0.5}) == Status::INSERTED);
+}
+
+TEST_CASE("lines are refused where one beside them ends at a crease", "[insert_knot_line]")
+{
+  CGAL::Random random(16);
+  // A border along x = 0 and x = 8, y = 0 and y = 8, and the crease y = 4.
+  Planar_t_mesh plane({0, 1, 2, 3, 4, 5, 6, 7, 8}, {0, 1, 2, 3, 4, 5, 6, 7, 8}, false);
+  const auto insert = [&](const int axis, const Position& p) {
+    Exact_mesh t(plane.faces<Rational>());
+    for (int i = 0; i < 8; ++i)
+      add_crease(t, t.halfedge_of(plane.rectangle_at({i + 0.5, 4.5}), 0), 1);
+    REQUIRE(t.make_spline_compatible());
+    t.set_random_controls(random);
+    Marked_surface<Exact_mesh> surface(t, 3, random);
+    return insert_in_plane(t, surface, plane, axis, p).status;
+  };
+  for (const double x : {0.5, 1.5, 6.5, 7.5}) // the border is no natural end for lines along the crease, nor beside it
+    CHECK(insert(0, {x, 0.5}) == Status::NEAR_CREASE);
+  for (const double x : {2.5, 3.5, 4.5, 5.5})
+    CHECK(insert(0, {x, 0.5}) == Status::INSERTED);
+  for (const double y : {0.5, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5})
+    CHECK(insert(1, {0.5, y}) == Status::INSERTED);
+}
+
+TEST_CASE("random lines with random creases", "[insert_knot_line]")
+{
+  CGAL::Random random(17);
+  int inserted = 0, near_crease = 0;
+  for (const bool is_periodic : {true, false})
+    for (int i = 0; i < 10; ++i) {
+      Planar_t_mesh plane({0, 1, 2, 3.5, 4, 5, 6, 7.5, 8, 9}, {0, 1, 1.5, 3, 4, 5, 5.5, 7}, is_periodic);
+      plane.set_random_frames(random);
+      Exact_mesh t(plane.faces<Rational>());
+      for (int k = 0; k < 1 + i % 5; ++k) {
+        const auto f = t.face_list[random.get_int(0, static_cast<int>(t.face_list.size()))];
+        auto h = halfedge(f, t.mesh);
+        for (int turns = random.get_int(0, 4); turns > 0; --turns)
+          h = next(h, t.mesh);
+        add_crease(t, h, i % 2 == 0 ? 10 : random.get_int(1, 10));
+        add_crease(t, opposite(h, t.mesh), i % 2 == 0 ? 10 : 1);
+      }
+      prepare(t, random);
+      Marked_surface<Exact_mesh> surface(t, 2, random);
+      surface.insert_randomly(15, random);
+      inserted += surface.count(Status::INSERTED);
+      near_crease += surface.count(Status::NEAR_CREASE);
+    }
+  CHECK(inserted > 60);
+  CHECK(near_crease > 0);
 }
 
 TEST_CASE("a line that comes back beside itself is refused", "[insert_knot_line]")

@@ -24,6 +24,7 @@ enum class Knot_insertion_status {
   OUTSIDE,                 ///< the line does not pass inside the face, or passes too close to its sides
   NOT_CONFORMING,          ///< `face`, in one of the three columns of the line, has a vertex inside a side
   AT_EXTRAORDINARY_VERTEX, ///< the line would change the rings of the extraordinary vertex `vertex`
+  NEAR_CREASE,             ///< at `vertex` beside the line, a line along a crease or the border ends at another crease
   LINE_MEETS_ITSELF,       ///< the line comes back to one of its three columns at `face`
   INTERRUPTED              ///< the visitor asked to stop
 };
@@ -42,6 +43,8 @@ inline const char* message(const Knot_insertion_status status)
     return "a T-joint lies on a side of a face in the three columns of the line";
   case Knot_insertion_status::AT_EXTRAORDINARY_VERTEX:
     return "the line runs through the rings of an extraordinary vertex";
+  case Knot_insertion_status::NEAR_CREASE:
+    return "beside the line, a line along a crease or the border ends at another crease";
   case Knot_insertion_status::LINE_MEETS_ITSELF: return "the line comes back to one of its three columns";
   case Knot_insertion_status::INTERRUPTED: return "interrupted by the visitor";
   }

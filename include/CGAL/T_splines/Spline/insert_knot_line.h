@@ -60,6 +60,8 @@ class Knot_line_insertion {
   struct Row {
     std::array<vertex_descriptor, 4> vertices;
     std::array<Homogeneous, 3> controls;
+    std::array<bool, 3> stays; // which of the control points are what they were
+    int column;                // the new vertex lies between those with this number and the next one
     New_vertex new_vertex;
   };
 
@@ -106,8 +108,9 @@ public:
     const Knot part = x / size;
     report.status = line.find(arrays.first_of_side(i, axis), part);
     if (report.success())
-      add(line, part, arrays, indexing, report);
-    else if (report.status == Knot_insertion_status::AT_EXTRAORDINARY_VERTEX)
+      add(line, part, structure, indexing, report);
+    else if (report.status == Knot_insertion_status::AT_EXTRAORDINARY_VERTEX ||
+             report.status == Knot_insertion_status::NEAR_CREASE)
       report.vertex = indexing.vertex(line.vertex());
     else
       report.face = indexing.face(line.face());
@@ -123,8 +126,11 @@ public:
       const auto edit = editor.insert_vertex(row.new_vertex.halfedge, row.new_vertex.distance);
       CGAL_assertion(bool(edit));
       const vertex_descriptor v = target(edit.halfedge, m_t_mesh.graph());
-      for (int j = 0, k = 1; j < 3; ++j)
-        put_control_point(j == m_column ? v : row.vertices[k++], row.controls[j]);
+      for (int j = 0, k = 1; j < 3; ++j) {
+        const vertex_descriptor w = j == row.column ? v : row.vertices[k++];
+        if (!row.stays[j])
+          put_control_point(w, row.controls[j]);
+      }
     }
     for (const Cut& cut : m_cuts) {
       const auto edit = editor.split_face(cut.face, cut.axis, cut.x);
@@ -143,15 +149,18 @@ private:
       return size * Knot(summed_round_off);
   }
 
-  void add(const Inserted_line<Knot>& line, const Knot& part, const Arrays& arrays,
+  void add(const Inserted_line<Knot>& line, const Knot& part, const Spline_structure<Knot>& structure,
            const Mesh_indexing<Graph>& indexing, Report& report)
   {
-    m_column = line.column();
+    const Arrays &arrays = structure.knot_arrays(), &uncut_arrays = structure.uncut_arrays();
     const Knot rest = Knot(1) - part;
     for (const Knot_row<Knot>& row : line.rows()) {
       std::array<Homogeneous, 4> old_controls;
       Row new_row;
+      new_row.column = row.column;
       for (int j = 0; j < 4; ++j) {
+        if (row.vertices[j] == Arrays::none)
+          continue;
         new_row.vertices[j] = indexing.vertex(row.vertices[j]);
         old_controls[j].values = homogeneous<FT>(get(m_control_points, new_row.vertices[j]));
         const FT& weight = old_controls[j].values[3];
@@ -161,12 +170,13 @@ private:
           return;
         }
       }
+      new_row.stays = {row.vertices[0] == Arrays::none, false, row.vertices[3] == Arrays::none};
       for (int j = 0; j < 3; ++j)
-        new_row.controls[j] = old_controls[j] * converted_number<FT>(Knot(Knot(1) - row.shares[j])) +
-                              old_controls[j + 1] * converted_number<FT>(row.shares[j]);
-      const bool is_reversed = arrays.is_border(row.edge);
-      const int h = is_reversed ? Arrays::opposite(row.edge) : row.edge;
-      new_row.new_vertex = {indexing.halfedge(h), Knot((is_reversed ? rest : part) * arrays.knot(h))};
+        if (!new_row.stays[j])
+          new_row.controls[j] = old_controls[j] * converted_number<FT>(Knot(Knot(1) - row.shares[j])) +
+                                old_controls[j + 1] * converted_number<FT>(row.shares[j]);
+      new_row.new_vertex = {indexing.halfedge(row.edge),
+                            Knot((row.is_reversed ? rest : part) * uncut_arrays.knot(row.edge))};
       m_rows.push_back(new_row);
     }
     for (const int b : line.bottoms()) {
@@ -189,7 +199,6 @@ private:
 
   TMesh m_t_mesh;
   ControlPointMap m_control_points;
-  int m_column = 1;
   std::vector<Row> m_rows;
   std::vector<Cut> m_cuts;
 };
@@ -203,7 +212,8 @@ private:
 /// The line goes straight on from the face `f` in both directions until it closes or reaches the border. It works where
 /// the T-mesh conforms around it: the faces that it crosses, its column, and those of the columns to its left and to
 /// its right must be quads that meet edge to edge, so that the T-mesh looks like a grid there; elsewhere it may be any.
-/// Where the line's column lies at the border, the two other columns are those next to it.
+/// Where the line's column lies at the border, the two other columns are those next to it. Beyond a crease no column is
+/// needed. The line may cross creases, and goes straight on.
 ///
 /// Why the surface does not change. Along a row, the edges that the line crosses, the basis functions of the four
 /// vertices of the columns have a common factor, as their knots in the direction of the line are the heights of the
@@ -218,16 +228,26 @@ private:
 /// of the k_j are the border. If the line falls into this interval, the end of it becomes the end of the second
 /// interval and thus a knot: this one, not x, is inserted, and it lies between k_3 and k_4 as well.
 ///
+/// At a crease, the knots are mirrored, and the control point beyond is 2 p - q, with p on the crease and q of the next
+/// column: the curve of a row is one half of a curve that is symmetric to the point p. It stays so if the mirror image of
+/// x is inserted, too. This moves what lies beyond p, and p stays, as the curve ends there. So the rule holds again after
+/// the insertion, and in the row all is as above, without P_0 or P_3 where v_1 or v_2 is on the crease. A row along a
+/// crease has the same knots and ends on both sides of it, so that both ask for the same new control points.
+///
+/// The common factor needs that all columns see the same ends above and below the line. They do not where a line along a
+/// crease or the border ends at a crease and the surface beside it goes straight on: there no line is inserted
+/// (`NEAR_CREASE`). This concerns lines within two columns of a border that cross a crease.
+///
 /// No other basis function changes. Rays along the line do not meet it, as no vertex lay on it. A ray across the line
 /// begins at one of the four vertices of a row or outside of the columns: between two rows no vertex lies on a column
 /// line. From outside it meets two column lines before the line, and the third intersection is no knot. It matters only
 /// whether that is the border; but if the line lies between a border and the fourth column line from it, the columns
-/// reach to that line.
+/// reach to that line; a crease that far away does not matter.
 ///
 /// In the faces at an extraordinary vertex the surface is made of the control points of its first two rings, which must
 /// stay, as must its rings. So the line must not run through the three rings. It may run along them: the vertices of
-/// the second ring are outer ones of their rows then. From the rings around a corner of the border that turns inwards it
-/// must keep one column away, as functions of these rings have ends of their own at the border.
+/// the second ring are outer ones of their rows then. From the rings around a corner of the border or of creases with three
+/// or more quarter turns it must keep one column away, as functions of these rings have ends of their own at the border.
 ///
 /// The result is spline compatible: the rings are what they were, supports only shrink, and that of the new vertex is a
 /// part of one that its neighbour had.

@@ -11,10 +11,9 @@
 #include <CGAL/T_splines/T_mesh/support/T_mesh_arrays.h>
 #include <CGAL/T_splines/T_mesh/support/Vertex_quarters.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <vector>
 
 namespace CGAL {
@@ -22,28 +21,36 @@ namespace T_splines {
 namespace internal {
 
 /// The control points that a new line changes in a row: of the vertices v_0, v_1, v_2, v_3, one after the other, and
-/// the new vertex between two of them, three in the middle become (1 - shares[j]) P(v_j) + shares[j] P(v_{j+1}), j = 0,
-/// 1, 2.
+/// the new vertex between v_c and v_{c+1}, c the number of the column, three in the middle become (1 - shares[j]) P(v_j)
+/// + shares[j] P(v_{j+1}), j = 0, 1, 2. If the row ends naturally at v_1 or v_2, there is no v_0 or v_3, and the control
+/// point at the end stays.
 template <typename FT>
 struct Knot_row {
-  std::array<int, 4> vertices;
+  std::array<int, 4> vertices; ///< of the T-mesh; -1 beyond a natural end
   std::array<FT, 3> shares;
-  int edge; ///< the halfedge from v_c to v_{c+1} that the line crosses; c is the same for all rows
+  int column;
+  int edge;         ///< the halfedge of a face, in the T-mesh, that the line crosses
+  bool is_reversed; ///< from v_{c+1} to v_c
 };
 
 /// A straight line across faces of a T-mesh that is to become a line of knots, from side to side of each face, and the
-/// three columns of faces that matter to it.
+/// columns of faces that matter to it.
 ///
 /// Directions are named as if the line ran upwards. A band is what lies between two successive rows, the edges that the
-/// line crosses: a halfedge per column, the bottom of the face there, from left to right. The line runs in the column
-/// in the middle, or, if this one lies at the border, in the first or the last one of the three next to the border.
+/// line crosses: a halfedge per column, the bottom of the face there, from left to right. The line's own column is in
+/// the middle; there is one to each side of it, as far as no border or crease is between them, and a second one if on the
+/// other side of the own column the surface ends "not a knot".
+///
+/// The T-mesh is cut along its creases, and a line that crosses them has several parts. What is said of a row is said in
+/// its part; a row along a crease belongs to two.
 /// \tparam FT the number type of the knots
 template <typename FT>
 class Inserted_line {
   using Structure = Spline_structure<FT>;
   using Arrays = T_mesh_arrays<FT>;
   using Status = Knot_insertion_status;
-  using Band = std::array<int, 3>;
+  static constexpr int own = 2; // the number of the line's column
+  using Band = std::array<int, 5>;
 
 public:
   static constexpr int none = -1;
@@ -53,9 +60,13 @@ public:
     : m_structure(structure),
       m_t_mesh(structure.knot_arrays()),
       m_is_used(m_t_mesh.number_of_faces()),
-      m_rings(m_t_mesh.number_of_faces())
+      m_rings(m_t_mesh.number_of_faces()),
+      m_after_cut(structure.uncut_arrays().number_of_halfedges(), none)
   {
     find_rings();
+    for (int h = 0; h < m_t_mesh.number_of_halfedges(); ++h)
+      if (!m_t_mesh.is_border(h))
+        m_after_cut[m_t_mesh.original_halfedge(h)] = h;
   }
 
   /// Follows the line that crosses the bottom of a face, from the left at the part `x` of it, 0 < x < 1, in both
@@ -63,30 +74,23 @@ public:
   Status find(const int bottom, const FT& x)
   {
     m_x = x;
-    if (!follow_up(bottom) || (!m_is_closed && !follow_down(bottom)))
-      return m_status;
-    for (const Band& band : m_bands)
-      add_row(band);
-    if (!m_is_closed)
-      add_row(m_top_row);
+    if (follow(bottom))
+      add_rows();
     return m_status;
   }
 
-  int vertex() const { return m_vertex; } ///< for AT_EXTRAORDINARY_VERTEX
+  int vertex() const { return m_vertex; } ///< of the T-mesh, for AT_EXTRAORDINARY_VERTEX and NEAR_CREASE
   int face() const { return m_face; }     ///< for NOT_CONFORMING and LINE_MEETS_ITSELF
 
   /// In no particular order.
   const std::vector<Knot_row<FT>>& rows() const { return m_rows; }
-
-  /// c of the rows: 0 or 2 in the column at the border, else 1.
-  int column() const { return m_column; }
 
   /// The bottoms of the faces that the line crosses, in no particular order.
   std::vector<int> bottoms() const
   {
     std::vector<int> result;
     for (const Band& band : m_bands)
-      result.push_back(band[m_column]);
+      result.push_back(band[own]);
     return result;
   }
 
@@ -111,63 +115,68 @@ private:
           }
   }
 
-  bool follow_up(const int bottom)
+  bool follow(const int bottom)
   {
     int b = bottom;
     do {
       if (!add_band(b))
         return false;
-      b = above(b);
-    } while (b != bottom && !m_t_mesh.is_border(b));
-    m_is_closed = b == bottom;
-    for (int c = 0; c < 3; ++c)
-      m_top_row[c] = above(m_bands.back()[c]);
+      m_bands.push_back(m_band);
+      b = behind(other_side(b));
+    } while (b != bottom && b != none);
+    if (b == bottom)
+      return true;
+    for (int top = behind(bottom); top != none; top = behind(b)) {
+      b = other_side(top);
+      if (!add_band(b))
+        return false;
+      m_bands.push_front(m_band);
+    }
     return true;
   }
 
-  bool follow_down(const int bottom)
+  // The halfedge on the other side of an edge, or of a crease.
+  int behind(const int h) const
   {
-    for (int top = Arrays::opposite(bottom); !m_t_mesh.is_border(top);) {
-      const int b = other_side(top);
-      if (!add_band(b))
-        return false;
-      top = Arrays::opposite(b);
-    }
-    return true;
+    const int o = Arrays::opposite(h);
+    if (!m_t_mesh.is_border(o))
+      return o;
+    const int result = Arrays::opposite(m_t_mesh.original_halfedge(h));
+    return m_structure.uncut_arrays().is_border(result) ? none : m_after_cut[result];
   }
 
   // The first halfedge of the side opposite to that of h.
   int other_side(const int h) const { return m_t_mesh.first_of_side(m_t_mesh.face(h), (m_t_mesh.side(h) + 2) % 4); }
   int above(const int bottom) const { return Arrays::opposite(other_side(bottom)); }
 
-  // Adds the band in which the line crosses the bottom b. As all faces of the columns are quads and all their vertices
+  // Makes the band in which the line crosses the bottom b. As all faces of the columns are quads and all their vertices
   // regular, those of successive bands meet edge to edge.
   bool add_band(const int b)
   {
     if (!add_face(m_t_mesh.face(b), 3))
       return false;
-    const bool is_first = m_bands.empty(), is_leftmost = m_t_mesh.is_border(Arrays::opposite(m_t_mesh.prev(b))),
-               is_rightmost = m_t_mesh.is_border(Arrays::opposite(m_t_mesh.next(b)));
-    const int column = is_leftmost ? 0 : is_rightmost ? 2 : 1;
-    // The border turns inwards inside of rings only, and leaves room for three columns.
-    CGAL_assertion(!(is_leftmost && is_rightmost) && (is_first || column == m_column));
-    CGAL_USE(is_first);
-    m_column = column;
-    Band band;
-    band[m_column] = b;
-    for (int c = m_column; c > 0; --c) {
-      const int right = Arrays::opposite(m_t_mesh.prev(band[c]));
+    m_band.fill(none);
+    m_band[own] = b;
+    const auto has_not_a_knot = [&](const int side) {
+      return end_of_row(b, side) == End::NOT_A_KNOT || end_of_row(above(b), side) == End::NOT_A_KNOT;
+    };
+    const int number_left = has_not_a_knot(0) ? 2 : 1, number_right = has_not_a_knot(1) ? 2 : 1;
+    for (int c = own; c > own - number_left; --c) {
+      const int right = Arrays::opposite(m_t_mesh.prev(m_band[c]));
+      if (m_t_mesh.is_border(right))
+        break;
       if (!add_face(m_t_mesh.face(right), 2))
         return false;
-      band[c - 1] = m_t_mesh.prev(right);
+      m_band[c - 1] = m_t_mesh.prev(right);
     }
-    for (int c = m_column; c < 2; ++c) {
-      const int left = Arrays::opposite(m_t_mesh.next(band[c]));
+    for (int c = own; c < own + number_right; ++c) {
+      const int left = Arrays::opposite(m_t_mesh.next(m_band[c]));
+      if (m_t_mesh.is_border(left))
+        break;
       if (!add_face(m_t_mesh.face(left), 2))
         return false;
-      band[c + 1] = m_t_mesh.next(left);
+      m_band[c + 1] = m_t_mesh.next(left);
     }
-    m_bands.push_back(band);
     return true;
   }
 
@@ -175,7 +184,7 @@ private:
   bool add_face(const int f, const int ring)
   {
     m_face = f;
-    m_vertex = m_rings[f].vertex;
+    m_vertex = m_rings[f].vertex == none ? none : m_structure.vertex_in_graph(m_rings[f].vertex);
     if (m_rings[f].number <= ring)
       m_status = Status::AT_EXTRAORDINARY_VERTEX;
     else if (!is_quad(f))
@@ -194,22 +203,131 @@ private:
     return true;
   }
 
+  // Those of all parts between creases.
+  void add_rows()
+  {
+    const auto begins_part = [&](const Band& band) { return m_t_mesh.is_border(Arrays::opposite(band[own])); };
+    const auto first = std::find_if(m_bands.begin(), m_bands.end(), begins_part);
+    const bool is_closed = first == m_bands.end();
+    std::rotate(m_bands.begin(), first, m_bands.end()); // the parts of a closed line begin at a crease
+    for (auto begin = m_bands.begin(); begin != m_bands.end();) {
+      const auto end = is_closed ? m_bands.end() : std::find_if(begin + 1, m_bands.end(), begins_part);
+      const int number = static_cast<int>(end - begin), top = above((*(end - 1))[own]);
+      const bool is_natural_below = m_t_mesh.is_crease((*begin)[own]), is_natural_above = m_t_mesh.is_crease(top);
+      for (int i = 0; i < number; ++i)
+        add_row(begin[i], {is_closed ? far_away : i, is_natural_below},
+                {is_closed ? far_away : number - i, is_natural_above});
+      if (!is_closed) {
+        Band row = *(end - 1);
+        for (int& h : row)
+          h = h == none ? none : above(h);
+        add_row(row, {number, is_natural_below}, {0, is_natural_above});
+        if (is_natural_above) // it is the first row of the next part, too
+          m_rows.pop_back();
+      }
+      begin = end;
+    }
+  }
+
+  // How a part of the line ends: so many rows away from one of them.
+  struct End_of_part {
+    int distance;
+    bool is_natural;
+
+    // Whether the knots of a vertex depend on it.
+    bool is_seen() const { return distance <= (is_natural ? 1 : 3); }
+  };
+
   // Boehm's knot insertion. With the knots k_0, ..., k_7 of the four vertices, of which number j has k_j, ..., k_{j+4},
   // and the new knot y between k_3 and k_4, shares[j - 1] is (y - k_j) / (k_{j+3} - k_j), j = 1, 2, 3.
-  void add_row(const Band& row)
+  void add_row(const Band& row, const End_of_part& below, const End_of_part& above)
   {
+    const End left = end_of_row(row[own], 1), right = end_of_row(row[own], 0);
+    const int column = left == End::NOT_A_KNOT ? 0 : right == End::NOT_A_KNOT ? 2 : 1;
+    const bool is_inside = !m_t_mesh.is_border(row[own]);
     Knot_row<FT> result;
-    for (int i = 0; i < 3; ++i)
-      result.vertices[i] = m_t_mesh.source(row[i]);
-    result.vertices[3] = m_t_mesh.target(row[2]);
-    result.edge = row[m_column];
-    const Axis first = axis_at(row[0], row[1]), second = axis_at(row[1], row[2]);
-    const FT y = m_column == 0 ? FT(0) : m_column == 1 ? FT(m_x * first.after) : first.after;
-    const FT z = m_column == 0 ? FT(-second.before) : m_column == 1 ? FT(FT(m_x - FT(1)) * second.before) : FT(0);
+    result.column = column;
+    result.edge = m_t_mesh.original_halfedge(is_inside ? row[own] : Arrays::opposite(row[own]));
+    result.is_reversed = !is_inside;
+    std::array<Row_vertex, 4> vertices;
+    for (int j = 0; j < 4; ++j) {
+      vertices[j] = vertex_of_row(row, own - column + j);
+      if ((j == 0 && column == 1 && left != End::NONE) || (j == 3 && column == 1 && right != End::NONE))
+        result.vertices[j] = none;
+      else {
+        result.vertices[j] = m_structure.vertex_in_graph(vertices[j].v);
+        check_line_at(vertices[j], below, above);
+      }
+    }
+    const Axis first = axis_at(vertices[1], left, End::NONE), second = axis_at(vertices[2], End::NONE, right);
+    const FT y = column == 0 ? FT(0) : column == 1 ? FT(m_x * first.after) : first.after;
+    const FT z = column == 0 ? FT(-second.before) : column == 1 ? FT(FT(m_x - FT(1)) * second.before) : FT(0);
     const auto share = [](const FT& x, const FT& from, const FT& to) { return FT(FT(x - from) / FT(to - from)); };
     const std::array<FT, 5>&k = first.knots, &l = second.knots;
-    result.shares = {share(y, k[0], k[3]), share(y, k[1], k[4]), share(z, l[1], l[4])};
+    result.shares = {result.vertices[0] == none ? FT(1) : share(y, k[0], k[3]), share(y, k[1], k[4]),
+                     result.vertices[3] == none ? FT(0) : share(z, l[1], l[4])};
     m_rows.push_back(result);
+  }
+
+  // A vertex, and the number of its ray that goes to the right.
+  struct Row_vertex {
+    int v = none, direction = none;
+  };
+
+  // Vertex i + 1 is the right end of the edge number i; where there is none, the next edge begins at it.
+  Row_vertex vertex_of_row(const Band& row, const int i) const
+  {
+    if (i <= own)
+      return row[i] == none ? Row_vertex() : source_in_row(row[i]);
+    return row[i - 1] == none ? Row_vertex() : target_in_row(row[i - 1]);
+  }
+
+  Row_vertex source_in_row(const int e) const { return {m_t_mesh.source(e), number_of_direction(e)}; }
+  Row_vertex target_in_row(const int e) const
+  {
+    return {m_t_mesh.target(e), (number_of_direction(Arrays::opposite(e)) + 2) % 4};
+  }
+
+  // The number of the ray along a halfedge that begins at a vertex. One at the border is the last one.
+  int number_of_direction(const int out) const
+  {
+    const Vertex_quarters<FT> quarters(m_t_mesh, m_t_mesh.source(out));
+    if (m_t_mesh.is_border(out))
+      return quarters.size();
+    int result = 0;
+    while (m_t_mesh.next(quarters[result].h) != out)
+      ++result;
+    return result;
+  }
+
+  // How a row ends at an end of its edge e: at its left one if `side` is 1, at its right one if it is 0.
+  enum class End { NONE, NATURAL, NOT_A_KNOT };
+
+  End end_of_row(const int e, const int side) const
+  {
+    const Row_vertex vertex = side == 1 ? source_in_row(e) : target_in_row(e);
+    const Knot_ray<FT> ray = m_structure.rays(vertex.v)[(vertex.direction + 2 * side) % 4];
+    if (ray.border != 0 && !ray.begins_line)
+      return End::NONE;
+    return (ray.border == 0 ? ray.is_natural : ray.begins_naturally) ? End::NATURAL : End::NOT_A_KNOT;
+  }
+
+  // All vertices of a row must see what the line meets above and below it: only then their knots along the line are the
+  // same. They do not where a line along a crease or the border ends and the surface goes straight on.
+  void check_line_at(const Row_vertex& vertex, const End_of_part& below, const End_of_part& above)
+  {
+    const Vertex_rays<FT> rays = m_structure.rays(vertex.v);
+    const auto sees = [](const Knot_ray<FT>& ray, const End_of_part& end) {
+      const End_of_part found{ray.border, ray.is_natural};
+      if (ray.begins_line || found.is_seen() != end.is_seen())
+        return false;
+      return !end.is_seen() || (found.distance == end.distance && found.is_natural == end.is_natural);
+    };
+    if (m_status == Status::INSERTED &&
+        !(sees(rays[(vertex.direction + 1) % 4], above) && sees(rays[(vertex.direction + 3) % 4], below))) {
+      m_status = Status::NEAR_CREASE;
+      m_vertex = m_structure.vertex_in_graph(vertex.v);
+    }
   }
 
   // The knots of a vertex along a row, relative to it, and how far away its neighbours are, all in one unit.
@@ -218,36 +336,30 @@ private:
     FT before, after;
   };
 
-  // At the vertex where `in` ends and `out` begins, in the direction of both. Only one of the two ways may be free: on
-  // the border, one of `out` and `opposite(in)` is a border halfedge.
-  Axis axis_at(const int in, const int out) const
+  // Where the row ends naturally at the vertex and another one begins, of the row alone.
+  Axis axis_at(const Row_vertex& vertex, const End left, const End right) const
   {
-    const Vertex_quarters<FT> quarters(m_t_mesh, m_t_mesh.target(in));
-    const int direction = m_t_mesh.is_border(out) ? number_of_direction(quarters, Arrays::opposite(in)) + 2
-                                                  : number_of_direction(quarters, out);
-    const Vertex_rays<FT> rays = m_structure.rays(m_t_mesh.target(in));
-    const Knot_ray<FT>&after = rays[direction % 4], &before = rays[(direction + 2) % 4];
-    return {axis_knots(after, before).t, before.distance[0], after.distance[0]};
+    const Vertex_rays<FT> rays = m_structure.rays(vertex.v);
+    const Knot_ray<FT>&after = rays[vertex.direction % 4], &before = rays[(vertex.direction + 2) % 4];
+    const Axis_knots<FT> knots = axis_knots(after, before);
+    const std::array<FT, 5> t = knots.is_peak && left == End::NATURAL    ? knots.right_half().t
+                                : knots.is_peak && right == End::NATURAL ? knots.left_half().t
+                                                                         : knots.t;
+    return {t, before.distance[0], after.distance[0]};
   }
 
-  int number_of_direction(const Vertex_quarters<FT>& quarters, const int out) const
-  {
-    int result = 0;
-    while (m_t_mesh.next(quarters[result].h) != out)
-      ++result;
-    return result;
-  }
+  static constexpr int far_away = Knot_ray<FT>::no_border;
 
   const Structure& m_structure;
   const Arrays& m_t_mesh;
-  std::vector<char> m_is_used; // per face: in the columns
-  std::vector<Ring> m_rings;   // per face
+  std::vector<char> m_is_used;  // per face: in the columns
+  std::vector<Ring> m_rings;    // per face
+  std::vector<int> m_after_cut; // per halfedge of a face in the T-mesh: what it is in the cut one
   FT m_x = FT(0);
   Status m_status = Status::INSERTED;
-  int m_vertex = none, m_face = none, m_column = 1;
-  bool m_is_closed = false;
-  std::vector<Band> m_bands;
-  Band m_top_row{};
+  int m_vertex = none, m_face = none;
+  Band m_band{};
+  std::deque<Band> m_bands; // upwards
   std::vector<Knot_row<FT>> m_rows;
 };
 
