@@ -68,7 +68,7 @@ public:
   const Knot_map& knots() const { return m_t_mesh.knots(); }
   /// returns where the faces have their corners.
   const Corner_map& corners() const { return m_t_mesh.corners(); }
-  /// returns which edges are constrained.
+  /// returns which edges are creases.
   const Crease_map& creases() const { return m_t_mesh.creases(); }
   const Weight_map& weights() const { return m_weights; } ///< of new vertices 1
 

@@ -57,6 +57,12 @@ struct Basis_function_jet {
 /// curves are cubic rational splines of the border vertices alone. At a corner of the border that turns inwards it has a
 /// tangent plane; see the definition of "Border" in the user manual.
 ///
+/// Along creases of the T-mesh it is only continuous: basis functions end there, and both sides have the control points
+/// of the crease in common. They end naturally, with the second derivative zero, as Catmull-Clark surfaces do at
+/// infinitely sharp edges (Biermann, Levin, Zorin 2000); so the curve of a crease depends on its own control points
+/// alone. Where creases meet or end, each sector between them has ends by its number of quarter turns; see "Crease" in
+/// the user manual.
+///
 /// What is reproduced: constants everywhere, as B_i / (sum of B_j) sum to 1. Polynomials only where the basis functions
 /// sum to 1 by themselves and the T-mesh is locally standard, such as a grid: in general not even linear ones.
 ///
