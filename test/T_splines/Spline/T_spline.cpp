@@ -75,6 +75,32 @@ TEST_CASE("a T-spline is evaluated with its weights, and written and read with t
   CHECK(original.surface().position(f, 0.5, 0.5) != plain.position(f, 0.5, 0.5));
 }
 
+TEST_CASE("a T-spline is written and read with its creases", "[T_spline]")
+{
+  const T_spline smooth = random_torus(n);
+  T_spline original = smooth;
+  T_spline::Graph& graph = original.graph();
+  const auto mark_from = [&](T_spline::halfedge_descriptor h) { // around the torus
+    for (int i = 0; i < n; ++i) {
+      put(original.creases(), graph.edge(h), true);
+      h = graph.next(graph.opposite(graph.next(h)));
+    }
+  };
+  const auto h = graph.halfedge(*graph.faces().begin());
+  mark_from(h);
+  mark_from(graph.next(h));
+  std::stringstream file;
+  REQUIRE_FALSE(T::write_t_mesh(file, original));
+  T_spline read;
+  REQUIRE(T::read_t_mesh(file, read).success());
+  int number = 0;
+  for (const auto e : read.graph().edges())
+    number += get(read.creases(), e);
+  CHECK(number == 2 * n);
+  CHECK(are_equal(original, read));
+  CHECK_FALSE(are_equal(smooth, read));
+}
+
 TEST_CASE("a line of knots goes into a T-spline without changing it", "[T_spline]")
 {
   T_spline spline = random_torus(n);
