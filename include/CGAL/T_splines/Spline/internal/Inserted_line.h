@@ -274,7 +274,7 @@ private:
     int v = none, direction = none;
   };
 
-  // Vertex i + 1 is the right end of the edge number i; where there is none, the next edge begins at it.
+  // Vertex i is where edge i of the row begins and edge i - 1 ends. Of the two, the one closer to the line is there.
   Row_vertex vertex_of_row(const Band& row, const int i) const
   {
     if (i <= own)
@@ -300,9 +300,10 @@ private:
     return result;
   }
 
-  // How a row ends at an end of its edge e: at its left one if `side` is 1, at its right one if it is 0.
+  // Whether a row ends at a vertex of it, and how.
   enum class End { NONE, NATURAL, NOT_A_KNOT };
 
+  // At the left end of the edge e if `side` is 1, at its right end if it is 0.
   End end_of_row(const int e, const int side) const
   {
     const Row_vertex vertex = side == 1 ? source_in_row(e) : target_in_row(e);
