@@ -86,6 +86,7 @@
 #include <CGAL/T_splines/Spline/T_spline_report.h>
 #include <CGAL/T_splines/Spline/T_spline_self_intersection_report.h>
 #include <CGAL/T_splines/Spline/T_spline_surface.h>
+#include <CGAL/T_splines/Spline/T_spline_tessellation.h>
 #include <CGAL/T_splines/Spline/Tessellation_resolution.h>
 #include <CGAL/T_splines/Spline/check_T_spline_self_intersections.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>

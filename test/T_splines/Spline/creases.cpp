@@ -7,6 +7,7 @@
 
 #include "Spline/Spline_mesh.h"
 #include "Spline/continuity.h"
+#include "Spline/sharp_cube.h"
 
 #include <catch2/catch.hpp>
 
@@ -129,34 +130,14 @@ TEST_CASE("a cube of six faces with twelve creases is a cube, exactly", "[crease
 {
   using Exact_mesh = Spline_mesh<Rational, Exact_kernel>;
   Exact_mesh t(test_t_meshes::cube<Rational>());
-  for (const auto e : edges(t.mesh))
-    put(t.creases(), e, true);
-  const auto report = t.make_spline_compatible();
-  INFO(message(report.status));
-  REQUIRE(report);
-  CHECK(report.vertices_after == 8);
-  // Corners of the cube: face 0 is the bottom, seen from below.
-  std::map<Exact_mesh::vertex_descriptor, Exact_kernel::Point_3> corner;
-  const auto set = [&](const std::size_t f, const int i, const int x, const int y, const int z) {
-    const auto v = source(t.halfedge_of(f, i), t.mesh);
-    corner[v] = Exact_kernel::Point_3(x, y, z);
-    t.set_control(v, corner[v], Rational(1));
-  };
-  set(0, 0, 0, 0, 0), set(0, 1, 0, 1, 0), set(0, 2, 1, 1, 0), set(0, 3, 1, 0, 0);
-  for (int i = 0; i < 4; ++i) { // above the corner below
-    const auto h = t.halfedge_of(0, i), o = opposite(h, t.mesh);
-    const auto v = target(next(o, t.mesh), t.mesh);
-    const auto below = target(o, t.mesh);
-    corner[v] = corner[below] + Exact_kernel::Vector_3(0, 0, 1);
-    t.set_control(v, corner[v], Rational(1));
-  }
+  make_sharp_cube(t);
   const Exact_mesh::Surface surface = t.surface();
   REQUIRE(surface.is_valid());
   CGAL::Random random(1);
   for (const auto f : faces(t.mesh)) {
     std::vector<Exact_kernel::Point_3> corners;
     for (const auto h : CGAL::halfedges_around_face(halfedge(f, t.mesh), t.mesh))
-      corners.push_back(corner[source(h, t.mesh)]);
+      corners.push_back(t.control(source(h, t.mesh)).point());
     for (int i = 0; i < 10; ++i) {
       const Rational x = Rational(random.get_int(0, 65)) / 64, y = Rational(random.get_int(0, 65)) / 64;
       const auto jet = surface.jet(f, Rational(x * surface.width(f)), Rational(y * surface.height(f)));

@@ -11,6 +11,7 @@
 
 #include "IO/Temporary_directory.h"
 #include "Spline/Spline_mesh.h"
+#include "Spline/sharp_cube.h"
 
 #include <CGAL/Random.h>
 #include <CGAL/boost/graph/IO/OBJ.h>
@@ -19,15 +20,18 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <fstream>
 #include <ios>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace tessellate_T_spline_test {
 
@@ -38,7 +42,8 @@ using Mesh = Spline_mesh<double>;
 using Triangles = CGAL::Surface_mesh<Kernel::Point_3>;
 namespace T = CGAL::T_splines;
 
-Mesh::Surface prepared(Mesh& t)
+template <typename SplineMesh>
+typename SplineMesh::Surface prepared(SplineMesh& t)
 {
   CGAL::Random random(1);
   REQUIRE(t.make_spline_compatible());
@@ -49,6 +54,93 @@ Mesh::Surface prepared(Mesh& t)
 int euler_characteristic(const Triangles& mesh)
 {
   return static_cast<int>(num_vertices(mesh)) - static_cast<int>(num_edges(mesh)) + static_cast<int>(num_faces(mesh));
+}
+
+// Whether each side of a triangle has one other triangle beside it.
+template <typename Tessellation>
+bool is_closed_without_cracks(const Tessellation& tessellation)
+{
+  std::map<std::pair<std::size_t, std::size_t>, int> count; // of each directed side of a triangle
+  for (const auto& triangle : tessellation.triangles)
+    for (int i = 0; i < 3; ++i)
+      ++count[{triangle[i], triangle[(i + 1) % 3]}];
+  return std::all_of(count.begin(), count.end(), [&](const auto& side) {
+    return side.second == 1 && count.count({side.first.second, side.first.first}) == 1;
+  });
+}
+
+// A crease, or an end of one.
+template <typename Surface>
+bool is_on_crease(const Surface& surface, const typename Surface::Place& place)
+{
+  const auto& t_mesh = surface.t_mesh_arrays();
+  const auto is_at = [&](const std::pair<double, double>& p) {
+    return std::abs(p.first - place.u) + std::abs(p.second - place.v) < 1e-9;
+  };
+  std::vector<char> has_crease(t_mesh.number_of_vertices(), 0);
+  for (int h = 0; h < t_mesh.number_of_halfedges(); ++h)
+    if (t_mesh.is_crease(h))
+      has_crease[t_mesh.target(h)] = 1;
+  const int f = surface.indexing().face_index(place.face);
+  for (int h = 0; h < t_mesh.number_of_halfedges(); ++h) {
+    if (t_mesh.face(h) != f)
+      continue;
+    const auto a = t_mesh.source_point(h), b = t_mesh.target_point(h);
+    if (has_crease[t_mesh.target(h)] != 0 && is_at(b))
+      return true;
+    const double length = std::abs(b.first - a.first) + std::abs(b.second - a.second);
+    const double x = (std::abs(place.u - a.first) + std::abs(place.v - a.second)) / length;
+    if (t_mesh.is_crease(h) && x > 0 && x < 1 &&
+        is_at({a.first + x * (b.first - a.first), a.second + x * (b.second - a.second)}))
+      return true;
+  }
+  return false;
+}
+
+struct Obj_file {
+  std::vector<Kernel::Point_3> points;
+  std::vector<Kernel::Vector_3> normals;
+  std::vector<std::array<std::pair<std::size_t, std::size_t>, 3>> faces; // points and normals, from 0
+};
+
+template <typename Surface>
+Obj_file written_and_read(const Surface& surface, const int resolution)
+{
+  std::stringstream stream;
+  REQUIRE_FALSE(T::write_t_spline_obj(stream, surface, resolution));
+  Obj_file result;
+  for (std::string word; stream >> word;) {
+    double x = 0, y = 0, z = 0;
+    if (word == "f") {
+      result.faces.emplace_back();
+      for (auto& [point, normal] : result.faces.back()) {
+        char slash = 0;
+        stream >> point >> slash >> slash >> normal;
+        --point, --normal;
+      }
+      continue;
+    }
+    stream >> x >> y >> z;
+    if (word == "v")
+      result.points.emplace_back(x, y, z);
+    else if (word == "vn")
+      result.normals.emplace_back(x, y, z);
+    else
+      FAIL("unknown line: " << word);
+  }
+  return result;
+}
+
+// Of a triangle in space, a unit normal.
+Kernel::Vector_3 normal_of(const Kernel::Point_3& a, const Kernel::Point_3& b, const Kernel::Point_3& c)
+{
+  const Kernel::Vector_3 n = CGAL::cross_product(b - a, c - a);
+  return n / std::sqrt(n.squared_length());
+}
+
+double length_of(const Kernel::Vector_3& v)
+{
+  return std::sqrt(v.squared_length());
 }
 
 } // namespace
@@ -71,14 +163,10 @@ TEST_CASE("triangles cover each face once and share the points of its sides", "[
           if (is_inside && place.face != tessellation.faces[i])
             FAIL("a triangle has a point inside of another face");
         }
-      std::map<std::pair<std::size_t, std::size_t>, int> count; // of each directed side of a triangle
-      for (const auto& triangle : tessellation.triangles)
-        for (int i = 0; i < 3; ++i)
-          ++count[{triangle[i], triangle[(i + 1) % 3]}];
-      bool is_closed = true;
-      for (const auto& [side, number] : count)
-        is_closed = is_closed && number == 1 && count.count({side.second, side.first}) == 1;
-      CHECK(is_closed);
+      CHECK(is_closed_without_cracks(tessellation));
+      CHECK(tessellation.crease_places.empty());
+      CHECK(tessellation.crease_corners.empty());
+      CHECK(tessellation.triangles_split_at_creases() == tessellation.triangles);
       for (const auto& place : tessellation.places) {
         REQUIRE(place.u >= 0);
         REQUIRE(place.u <= spline.width(place.face));
@@ -117,6 +205,109 @@ TEST_CASE("the mesh has the topology of the surface, its points, normals and pla
       CHECK(mesh.point(v) == spline.position(place.face, place.u, place.v));
       CHECK(normals[v] == spline.unit_normal(place.face, place.u, place.v));
     }
+  }
+}
+
+TEST_CASE("triangles at creases share points, and have their own faces' normals", "[tessellate_T_spline]")
+{
+  Mesh t(test_t_meshes::cube<double>());
+  make_sharp_cube(t);
+  const Mesh::Surface spline = t.surface();
+  REQUIRE(spline.is_valid());
+  const auto patches = T::compile_T_spline(spline);
+  for (const T::Tessellation_resolution& resolution :
+       {T::Tessellation_resolution(2), T::Tessellation_resolution(5), T::Tessellation_resolution::within(0.01)}) {
+    const auto tessellation = T::tessellate_parameter_domain(patches, resolution);
+    CHECK(is_closed_without_cracks(tessellation));
+    auto places = tessellation.places;
+    places.insert(places.end(), tessellation.crease_places.begin(), tessellation.crease_places.end());
+    const auto split = tessellation.triangles_split_at_creases();
+    std::size_t corners_on_creases = 0;
+    for (std::size_t i = 0; i < split.size(); ++i) {
+      std::array<Kernel::Point_3, 3> points;
+      for (int k = 0; k < 3; ++k) {
+        const auto& place = places[split[i][k]];
+        CHECK(place.face == tessellation.faces[i]);
+        const auto& shared = places[tessellation.triangles[i][k]];
+        points[k] = patches.position(shared.face, shared.u, shared.v);
+        CHECK(CGAL::squared_distance(patches.position(place.face, place.u, place.v), points[k]) < 1e-28);
+        corners_on_creases += split[i][k] != tessellation.triangles[i][k];
+      }
+      const Kernel::Vector_3 normal = normal_of(points[0], points[1], points[2]);
+      for (const std::size_t k : split[i])
+        CHECK(length_of(patches.unit_normal(places[k].face, places[k].u, places[k].v) - normal) < 1e-12);
+    }
+    CHECK(corners_on_creases == tessellation.crease_corners.size());
+  }
+}
+
+TEST_CASE("corners of triangles on creases, and no others, have places in their own faces", "[tessellate_T_spline]")
+{
+  CGAL::Random random(1);
+  for (const auto& [name, faces] : closed_surfaces<Rational>())
+    for (const int one_in : {1, 12, 12}) {
+      INFO(name << ", one edge in " << one_in);
+      Spline_mesh<Rational> t(faces);
+      for (const auto e : edges(t.mesh))
+        put(t.creases(), e, random.get_int(0, one_in) == 0);
+      const auto report = t.make_spline_compatible();
+      INFO(message(report.status));
+      REQUIRE(report);
+      t.split_randomly(6, random);
+      const auto spline = prepared(t);
+      REQUIRE(spline.is_valid());
+      const auto tessellation = T::tessellate_parameter_domain(spline, 3);
+      CHECK(is_closed_without_cracks(tessellation));
+      std::vector<char> is_crease_place(tessellation.places.size());
+      for (std::size_t i = 0; i < tessellation.places.size(); ++i)
+        is_crease_place[i] = is_on_crease(spline, tessellation.places[i]);
+      const auto split = tessellation.triangles_split_at_creases();
+      bool is_complete = true, is_inside = true, is_in_face = true;
+      double distance = 0;
+      for (std::size_t i = 0; i < split.size(); ++i)
+        for (int k = 0; k < 3; ++k) {
+          const std::size_t shared = tessellation.triangles[i][k], own = split[i][k];
+          is_complete = is_complete && (own != shared) == (is_crease_place[shared] != 0);
+          if (own == shared)
+            continue;
+          const auto &a = tessellation.places[shared],
+                     &b = tessellation.crease_places[own - tessellation.places.size()];
+          is_in_face = is_in_face && b.face == tessellation.faces[i];
+          is_inside = is_inside && b.u >= 0 && b.v >= 0 && b.u <= spline.width(b.face) && b.v <= spline.height(b.face);
+          distance = (std::max)(
+              distance, CGAL::squared_distance(spline.position(a.face, a.u, a.v), spline.position(b.face, b.u, b.v)));
+        }
+      CHECK(is_complete);
+      CHECK(is_in_face);
+      CHECK(is_inside);
+      CHECK(std::sqrt(distance) < 1e-12);
+    }
+}
+
+TEST_CASE("halfedges receive the normals of their own triangles", "[tessellate_T_spline]")
+{
+  for (const bool is_sharp : {false, true}) {
+    Mesh t(test_t_meshes::cube<double>());
+    if (is_sharp)
+      make_sharp_cube(t);
+    const Mesh::Surface spline = is_sharp ? t.surface() : prepared(t);
+    Triangles mesh;
+    const auto of_vertices = mesh.add_property_map<Triangles::Vertex_index, Kernel::Vector_3>("v:normal").first;
+    const auto of_corners = mesh.add_property_map<Triangles::Halfedge_index, Kernel::Vector_3>("h:normal").first;
+    REQUIRE(T::tessellate_T_spline(
+        spline, 4, mesh,
+        T::parameters::halfedge_normal_map(of_corners, CGAL::parameters::vertex_normal_map(of_vertices))));
+    int sharp_corners = 0;
+    for (const auto h : mesh.halfedges()) {
+      const auto a = mesh.point(mesh.source(h)), b = mesh.point(mesh.target(h)),
+                 c = mesh.point(mesh.target(mesh.next(h)));
+      if (is_sharp)
+        CHECK(length_of(of_corners[h] - normal_of(a, b, c)) < 1e-12);
+      else
+        CHECK(of_corners[h] == of_vertices[mesh.target(h)]);
+      sharp_corners += length_of(of_corners[h] - of_vertices[mesh.target(h)]) > 0.5;
+    }
+    CHECK((sharp_corners > 0) == is_sharp);
   }
 }
 
@@ -193,6 +384,43 @@ TEST_CASE("an OBJ file has the triangles and unit normals, or is not there", "[w
     }
   CHECK(normals == num_vertices(mesh));
   CHECK(T::write_t_spline_obj(directory.file("no/cube.obj"), spline, 4));
+}
+
+TEST_CASE("an OBJ file has the normals of all sides of creases, and shares the points", "[write_t_spline_obj]")
+{
+  Mesh t(test_t_meshes::cube<double>());
+  make_sharp_cube(t);
+  const Mesh::Surface spline = t.surface();
+  const Obj_file file = written_and_read(spline, 4);
+  CHECK(file.points.size() == T::tessellate_parameter_domain(spline, 4).places.size());
+  std::map<std::size_t, std::set<std::vector<int>>> normals_of_point;
+  for (const auto& face : file.faces) {
+    for (const auto& [point, normal] : face)
+      REQUIRE((point < file.points.size() && normal < file.normals.size()));
+    const Kernel::Vector_3 expected =
+        normal_of(file.points[face[0].first], file.points[face[1].first], file.points[face[2].first]);
+    for (const auto& [point, normal] : face) {
+      CHECK(length_of(file.normals[normal] - expected) < 1e-12);
+      std::vector<int> rounded;
+      for (int k = 0; k < 3; ++k)
+        rounded.push_back(static_cast<int>(std::lround(file.normals[normal][k])));
+      normals_of_point[point].insert(rounded);
+    }
+  }
+  std::map<std::size_t, int> points_with_normals;
+  for (const auto& [point, normals] : normals_of_point)
+    ++points_with_normals[normals.size()];
+  CHECK(points_with_normals == std::map<std::size_t, int>{{1, 6 * 9}, {2, 12 * 3}, {3, 8}});
+}
+
+TEST_CASE("without creases an OBJ file has one normal for each point", "[write_t_spline_obj]")
+{
+  Mesh t(test_t_meshes::cube<double>());
+  const Obj_file file = written_and_read(prepared(t), 4);
+  CHECK(file.normals.size() == file.points.size());
+  for (const auto& face : file.faces)
+    for (const auto& [point, normal] : face)
+      CHECK(point == normal);
 }
 
 } // namespace tessellate_T_spline_test

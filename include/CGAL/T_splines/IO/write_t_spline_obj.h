@@ -9,7 +9,6 @@
 #include <CGAL/T_splines/Spline/Tessellation_resolution.h>
 #include <CGAL/T_splines/Spline/tessellate_T_spline.h>
 
-#include <array>
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -28,14 +27,16 @@ void format_t_spline_obj(Text_writer& writer, const Surface& surface, const Tess
     writer << "v ";
     writer.write_coordinates(surface.position(place.face, place.u, place.v)) << "\n";
   }
-  for (const auto& place : tessellation.places) {
-    writer << "vn ";
-    writer.write_coordinates(surface.unit_normal(place.face, place.u, place.v)) << "\n";
-  }
-  for (const std::array<std::size_t, 3>& triangle : tessellation.triangles) {
+  for (const auto* const places : {&tessellation.places, &tessellation.crease_places})
+    for (const auto& place : *places) {
+      writer << "vn ";
+      writer.write_coordinates(surface.unit_normal(place.face, place.u, place.v)) << "\n";
+    }
+  const auto normals = tessellation.triangles_split_at_creases();
+  for (std::size_t i = 0; i < normals.size(); ++i) {
     writer << "f";
-    for (const std::size_t i : triangle)
-      writer << " " << i + 1 << "//" << i + 1;
+    for (std::size_t k = 0; k < 3; ++k)
+      writer << " " << tessellation.triangles[i][k] + 1 << "//" << normals[i][k] + 1;
     writer << "\n";
   }
 }
@@ -44,8 +45,8 @@ void format_t_spline_obj(Text_writer& writer, const Surface& surface, const Tess
 
 /// \ingroup PkgTSplinesIO
 /// writes a T-spline surface to a stream, in the format of OBJ, as triangles with the normals of the surface (`v`, `vn`,
-/// `f v//vn`), without cracks. Other formats:
-/// `tessellate_T_spline()` makes a mesh, which CGAL's functions write.
+/// `f v//vn`), without cracks. At creases, triangles on both sides share the points (`v`) and have their own normals (`vn`).
+/// Other formats: `tessellate_T_spline()` makes a mesh, which CGAL's functions write.
 /// \tparam Surface a `T_spline_surface` or a `Compiled_T_spline`
 /// \param out receives the file
 /// \param surface \pre it is valid

@@ -26,7 +26,8 @@ namespace T_splines {
 /// \ingroup PkgTSplinesIO
 /// writes a T-spline surface to a stream, as a binary PLY file (little endian): triangles without cracks, with the normals
 /// of the surface. Coordinates (`x`, `y`, `z`) are doubles, normals (`nx`, `ny`, `nz`) floats. It is about a third of
-/// the size of the OBJ file.
+/// the size of the OBJ file. Normals are of vertices, as the format has it: at creases that of one of the sides, so that shading
+/// by them blurs creases; `write_t_spline_obj()` keeps those of all sides.
 /// \tparam Surface a `T_spline_surface` or a `Compiled_T_spline`
 /// \param out receives the file; it should be open in binary mode
 /// \param surface \pre it is valid

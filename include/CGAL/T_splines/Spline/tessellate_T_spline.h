@@ -4,6 +4,7 @@
 #ifndef CGAL_T_SPLINES_SPLINE_TESSELLATE_T_SPLINE_H
 #define CGAL_T_SPLINES_SPLINE_TESSELLATE_T_SPLINE_H
 
+#include <CGAL/T_splines/Spline/T_spline_tessellation.h>
 #include <CGAL/T_splines/Spline/Tessellation_resolution.h>
 #include <CGAL/T_splines/Spline/compile_T_spline.h>
 #include <CGAL/T_splines/Spline/internal/Face_tessellation.h>
@@ -32,21 +33,11 @@
 namespace CGAL {
 namespace T_splines {
 
-/// \ingroup PkgTSplinesSpline
-/// A triangulation of the parameter domain of a T-spline surface: places, and triangles of three numbers of places,
-/// seen counter-clockwise, with the faces in which they lie.
-/// \tparam Graph the T-mesh
-template <typename Graph, typename FT>
-struct T_spline_tessellation {
-  std::vector<T_mesh_place<Graph, FT>> places;                             ///< the corners of the triangles
-  std::vector<std::array<std::size_t, 3>> triangles;                       ///< numbers of three places each
-  std::vector<typename boost::graph_traits<Graph>::face_descriptor> faces; ///< of the T-mesh, per triangle
-};
-
 namespace internal {
 
-/// Asks for twice as many parts where a triangle is turned away from the surface at all of its corners. This happens where
-/// lines curve within the surface, so that the sides of long and narrow triangles do not follow them closely enough.
+/// Asks for twice as many parts where a triangle is turned away from the surface, on its side of creases, at all of its
+/// corners. This happens where lines curve within the surface, so that the sides of long and narrow triangles do not follow
+/// them closely enough.
 /// \return whether there is such a place
 template <typename CompiledTSpline>
 bool refine_at_turned_triangles(const CompiledTSpline& surface,
@@ -54,9 +45,11 @@ bool refine_at_turned_triangles(const CompiledTSpline& surface,
                                 std::vector<Division_rectangle>& rectangles)
 {
   constexpr double smallest_cosine = 0.7; // about 45 degrees: where triangles are small, only those turn so far
+  auto places = faces.places();
+  places.insert(places.end(), faces.crease_places().begin(), faces.crease_places().end());
   std::vector<typename CompiledTSpline::Jet> jets;
-  jets.reserve(faces.places().size());
-  for (const auto& place : faces.places())
+  jets.reserve(places.size());
+  for (const auto& place : places)
     jets.push_back(surface.jet(surface.indexing().face(place.face), place.u, place.v));
   const auto is_turned = [](const auto& of_triangle, const auto& of_surface) {
     const double cosine = CGAL::to_double(of_triangle * of_surface); // times a positive number
@@ -66,8 +59,9 @@ bool refine_at_turned_triangles(const CompiledTSpline& surface,
   };
   std::vector<std::array<bool, 2>> is_refined(surface.indexing().number_of_faces(), {false, false});
   bool result = false;
-  for (std::size_t i = 0; i < faces.triangles().size(); ++i) {
-    const std::array<std::size_t, 3>& t = faces.triangles()[i];
+  const auto triangles = split_at_creases(faces.triangles(), faces.crease_corners(), faces.places().size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const std::array<std::size_t, 3>& t = triangles[i];
     const auto a = jets[t[1]].position - jets[t[0]].position, b = jets[t[2]].position - jets[t[0]].position;
     const auto normal = CGAL::cross_product(a, b);
     if (!std::all_of(t.begin(), t.end(), [&](const std::size_t c) { return is_turned(normal, jets[c].normal()); }))
@@ -75,7 +69,7 @@ bool refine_at_turned_triangles(const CompiledTSpline& surface,
     result = true;
     const auto longer = a.squared_length() < b.squared_length() ? b : a;
     for (const std::size_t c : t)
-      if (faces.places()[c].face == faces.faces()[i]) { // others are in another frame
+      if (places[c].face == faces.faces()[i]) { // others are in another frame
         const auto u = longer * jets[c].du, v = longer * jets[c].dv;
         const bool is_along_u = u * u * jets[c].dv.squared_length() > v * v * jets[c].du.squared_length();
         is_refined[faces.faces()[i]][is_along_u ? 0 : 1] = true;
@@ -116,7 +110,7 @@ Face_tessellation<typename Surface::FT> tessellate_faces(const Surface& surface,
 
 /// \ingroup PkgTSplinesSpline
 /// triangulates the parameter domain of a T-spline surface without cracks: triangles on both sides of an edge share its
-/// points, T-joints included.
+/// points, T-joints included. At creases it tells the places on either side, too.
 /// \tparam Surface a `T_spline_surface` or a `Compiled_T_spline`
 /// \param surface \pre it is valid
 /// \param resolution how finely: an `int` n >= 2, or `Tessellation_resolution::within()` a distance
@@ -140,9 +134,17 @@ tessellate_parameter_domain(const Surface& surface, const Tessellation_resolutio
   progress.progress(0.7);
   if (!progress.go_on())
     return result;
-  result.places.reserve(faces.places().size());
-  for (const auto& place : faces.places())
-    result.places.push_back({surface.indexing().face(place.face), place.u, place.v});
+  const auto places_of = [&](const auto& places) {
+    std::vector<T_mesh_place<typename Surface::Graph, typename Surface::FT>> of_graph;
+    of_graph.reserve(places.size());
+    for (const auto& place : places)
+      of_graph.push_back({surface.indexing().face(place.face), place.u, place.v});
+    return of_graph;
+  };
+  result.places = places_of(faces.places());
+  result.crease_places = places_of(faces.crease_places());
+  for (const auto& c : faces.crease_corners())
+    result.crease_corners.push_back({c.triangle, c.corner, c.place});
   result.triangles = faces.triangles();
   result.faces.reserve(faces.faces().size());
   for (const int f : faces.faces())
@@ -207,6 +209,35 @@ void remove_all_elements(Graph& graph)
     remove_vertex(v, graph);
 }
 
+/// Gives each corner of the triangles the unit normal of the surface in the triangle's own face.
+/// \param vertices of `mesh`, by the numbers of places
+/// \return false if `progress` is interrupted
+template <typename Surface, typename Tessellation, typename TriangleMesh, typename HalfedgeNormalMap>
+bool put_normals_of_corners(const Surface& surface, const Tessellation& tessellation, const TriangleMesh& mesh,
+                            const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertices,
+                            const HalfedgeNormalMap normal_map, Progress& progress)
+{
+  constexpr std::size_t work = 10; // for a normal
+  std::vector<typename Surface::Vector_3> normals;
+  normals.reserve(tessellation.places.size() + tessellation.crease_places.size());
+  for (const auto* const places : {&tessellation.places, &tessellation.crease_places})
+    for (const auto& place : *places) {
+      normals.push_back(surface.unit_normal(place.face, place.u, place.v));
+      if (!progress.go_on_after(work))
+        return false;
+    }
+  const auto corners = tessellation.triangles_split_at_creases();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::array<std::size_t, 3>& t = tessellation.triangles[i];
+    auto h = halfedge(vertices[t[2]], vertices[t[0]], mesh).first;
+    for (const std::size_t corner : corners[i]) {
+      put(normal_map, h, normals[corner]);
+      h = next(h, mesh);
+    }
+  }
+  return true;
+}
+
 /// What `tessellate_T_spline()` does with the parameter domain tessellated. Vertices and faces are added in the order of
 /// the places and the triangles.
 /// \return false if `progress` is interrupted; then the mesh is empty again
@@ -220,6 +251,7 @@ bool add_tessellation(const Surface& surface,
   const auto point_map =
       choose_parameter(get_parameter(np, np_tags::output_vertex_point_map), get_property_map(CGAL::vertex_point, mesh));
   const auto normal_map = get_parameter(np, CGAL::internal_np::vertex_normal_map);
+  const auto corner_normal_map = get_parameter(np, np_tags::halfedge_normal_map);
   const auto place_map = get_parameter(np, np_tags::vertex_place_map);
   using Point_3 = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
 
@@ -257,6 +289,11 @@ bool add_tessellation(const Surface& surface,
                                                                                                        vertices[t[2]]},
                           mesh);
   }
+  if constexpr (!is_missing<decltype(corner_normal_map)>)
+    if (!put_normals_of_corners(surface, tessellation, mesh, vertices, corner_normal_map, progress)) {
+      internal::remove_all_elements(mesh);
+      return false;
+    }
   progress.progress(1);
   return true;
 }
@@ -280,8 +317,16 @@ bool add_tessellation(const Surface& surface,
 ///     \cgalParamDefault{the map of `mesh` for `CGAL::vertex_point`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_normal_map}
-///     \cgalParamDescription{receives the unit normals of the surface}
+///     \cgalParamDescription{receives the unit normals of the surface; at creases, which have one on each side, that of one
+///       of the sides}
 ///     \cgalParamType{a model of `WritablePropertyMap`, `boost::graph_traits<TriangleMesh>::%vertex_descriptor` ->
+///       `%Vector_3`}
+///     \cgalParamDefault{none is written}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{halfedge_normal_map}
+///     \cgalParamDescription{receives the unit normals of the surface at the corners of the triangles: of a halfedge, at its
+///       target, on the side of creases where its triangle is; nothing for halfedges of the border}
+///     \cgalParamType{a model of `WritablePropertyMap`, `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` ->
 ///       `%Vector_3`}
 ///     \cgalParamDefault{none is written}
 ///   \cgalParamNEnd

@@ -26,6 +26,9 @@ namespace internal {
 ///
 /// Inside, a face that is divided into m x n parts has (m - 1) x (n - 1) points, and between them and the sides strips that
 /// are zipped together.
+///
+/// A point on a crease, at an end of one, too, has a place of its own in each face around, for what differs from side to
+/// side: the corners of triangles there have these places as well.
 template <typename FT>
 class Face_tessellation {
   using Arrays = T_mesh_arrays<FT>;
@@ -39,6 +42,13 @@ public:
     FT u, v;
   };
 
+  /// A corner of a triangle on a crease.
+  struct Crease_corner {
+    Index triangle;
+    int corner;  ///< from 0 to 2
+    Index place; ///< of `crease_places()`, in the face of the triangle
+  };
+
   /// \param divisions with at least three parts in each direction if the T-mesh has a tip: see `has_tip()`
   /// \param progress if it is interrupted, triangles are missing
   Face_tessellation(const Arrays& t_mesh, T_mesh_divisions divisions, Progress& progress)
@@ -48,6 +58,7 @@ public:
     add_vertices();
     add_edges();
     find_tips();
+    find_points_on_creases();
     for (int f = 0; f < t_mesh.number_of_faces() && progress.go_on_after(work(f)); ++f) {
       add_face(f);
       m_faces.resize(m_triangles.size(), f);
@@ -62,6 +73,12 @@ public:
   /// The face in which each triangle lies.
   const std::vector<int>& faces() const { return m_faces; }
 
+  /// Where points on creases are in the faces around: of each point one place for each time that the boundary of a face
+  /// passes it.
+  const std::vector<Place>& crease_places() const { return m_crease_places; }
+  /// All corners of triangles on creases, by increasing triangle and corner.
+  const std::vector<Crease_corner>& crease_corners() const { return m_crease_corners; }
+
   /// Whether a face has an edge twice, in succession: a tip is where it turns around.
   static bool has_tip(const Arrays& t_mesh)
   {
@@ -72,10 +89,13 @@ public:
   }
 
 private:
-  // A point of a strip: where it is along the side, from 0 to 1.
+  static constexpr Index none = static_cast<Index>(-1);
+
+  // A point of a strip: where it is along the side, from 0 to 1. On creases it has a place in this face.
   struct Strip_point {
     double x;
     Index index;
+    Index crease_place = none;
   };
 
   // Whether the face of h has a tip where h begins.
@@ -89,20 +109,40 @@ private:
         m_is_tip[m_vertex[m_t_mesh.source(h)]] = true;
   }
 
+  // None without creases.
+  void find_points_on_creases()
+  {
+    if (!m_t_mesh.has_creases())
+      return;
+    m_is_on_crease.assign(m_places.size(), false);
+    for (int h = 0; h < m_t_mesh.number_of_halfedges(); ++h)
+      if (m_t_mesh.is_crease(h)) {
+        m_is_on_crease[m_vertex[m_t_mesh.target(h)]] = true;
+        const auto first = m_is_on_crease.begin() + static_cast<std::ptrdiff_t>(m_first[edge_of(h)]);
+        std::fill(first, first + (number_of_parts(edge_of(h)) - 1), true);
+      }
+  }
+
   // Takes away the two triangles at each tip, which lie on each other.
   void remove_tips()
   {
     m_is_tip.resize(m_places.size(), false);
     Index kept = 0;
+    auto corner = m_crease_corners.begin(), kept_corner = corner;
     for (Index i = 0; i < m_triangles.size(); ++i) {
       const std::array<Index, 3> t = m_triangles[i];
-      if (m_is_tip[t[0]] || m_is_tip[t[1]] || m_is_tip[t[2]])
+      const bool is_kept = !m_is_tip[t[0]] && !m_is_tip[t[1]] && !m_is_tip[t[2]];
+      for (; corner != m_crease_corners.end() && corner->triangle == i; ++corner)
+        if (is_kept)
+          *kept_corner++ = {kept, corner->corner, corner->place};
+      if (!is_kept)
         continue;
       m_triangles[kept] = t;
       m_faces[kept++] = m_faces[i];
     }
     m_triangles.resize(kept);
     m_faces.resize(kept);
+    m_crease_corners.erase(kept_corner, m_crease_corners.end());
     std::vector<Index> number(m_places.size());
     Index next = 0;
     for (Index i = 0; i < m_places.size(); ++i) {
@@ -117,10 +157,15 @@ private:
   }
 
   // Sums of knots on opposite sides may differ by round-off.
-  Index add(const int f, const FT& u, const FT& v)
+  Place place_in(const int f, const FT& u, const FT& v) const
   {
     const auto clamped = [](const FT& x, const FT& size) { return x < FT(0) ? FT(0) : size < x ? size : x; };
-    m_places.push_back({f, clamped(u, m_t_mesh.width(f)), clamped(v, m_t_mesh.height(f))});
+    return {f, clamped(u, m_t_mesh.width(f)), clamped(v, m_t_mesh.height(f))};
+  }
+
+  Index add(const int f, const FT& u, const FT& v)
+  {
+    m_places.push_back(place_in(f, u, v));
     return m_places.size() - 1;
   }
 
@@ -153,17 +198,30 @@ private:
 
   int number_of_parts(const int e) const { return static_cast<int>(m_divisions.edges[e].size()) - 1; }
 
-  // The points of a halfedge but for its target. \param begin, length where it is along its side, from 0 to 1
+  // The points inside of a halfedge. \param begin, length where it is along its side, from 0 to 1
   void append(const int h, const double begin, const double length)
   {
     const int e = edge_of(h), n = number_of_parts(e);
-    m_outer.push_back({begin, m_vertex[m_t_mesh.source(h)]});
     for (int i = 1; i < n; ++i) {
       const int j = is_along_edge(h) ? i : n - i;
-      const double x = m_divisions.edges[e][j];
-      m_outer.push_back({begin + length * (is_along_edge(h) ? x : 1 - x), m_first[e] + j - 1});
+      const double end = m_divisions.edges[e][j], x = is_along_edge(h) ? end : 1 - end;
+      const Index index = m_first[e] + j - 1;
+      m_outer.push_back({begin + length * x, index, add_crease_place(index, h, x)});
     }
   }
+
+  // A place for a point in the face of halfedge h. \param x where it is along h, from 0 to 1
+  // \return its number; `none` if the point is on no crease
+  Index add_crease_place(const Index index, const int h, const double x)
+  {
+    if (m_is_on_crease.empty() || !m_is_on_crease[index])
+      return none;
+    const int f = m_t_mesh.face(h);
+    const auto p = m_t_mesh.point_of_side(f, m_t_mesh.side(h), FT(m_t_mesh.begin(h) + FT(x) * m_t_mesh.knot(h)));
+    m_crease_places.push_back(place_in(f, p.first, p.second));
+    return m_crease_places.size() - 1;
+  }
+  Index add_crease_place_of_source(const int h) { return add_crease_place(m_vertex[m_t_mesh.source(h)], h, 0); }
 
   void add_face(const int f)
   {
@@ -180,6 +238,9 @@ private:
         m_triangles.push_back({inner(i, j), inner(i + 1, j), inner(i + 1, j + 1)});
         m_triangles.push_back({inner(i, j), inner(i + 1, j + 1), inner(i, j + 1)});
       }
+    std::array<Index, 4> corners; // on creases
+    for (int side = 0; side < 4; ++side)
+      corners[side] = add_crease_place_of_source(m_t_mesh.first_of_side(f, side));
     for (int side = 0; side < 4; ++side) {
       m_inner.clear();
       const Index number = side % 2 == 0 ? m : n;
@@ -192,19 +253,24 @@ private:
                            : side == 1 ? inner(m - 1, k)
                            : side == 2 ? inner(m - k, n - 1)
                                        : inner(1, n - k)});
-      find_outer(f, side);
+      find_outer(f, side, corners[side], corners[(side + 1) % 4]);
       zip();
     }
   }
 
-  void find_outer(const int f, const int side)
+  // \param first_place, last_place crease places of its ends
+  void find_outer(const int f, const int side, const Index first_place, const Index last_place)
   {
     m_outer.clear();
     const double size = CGAL::to_double(m_t_mesh.side_length(f, side));
-    for (int h = m_t_mesh.first_of_side(f, side);; h = m_t_mesh.next(h)) {
-      append(h, CGAL::to_double(m_t_mesh.begin(h)) / size, CGAL::to_double(m_t_mesh.knot(h)) / size);
+    const int first = m_t_mesh.first_of_side(f, side);
+    for (int h = first;; h = m_t_mesh.next(h)) {
+      const double begin = CGAL::to_double(m_t_mesh.begin(h)) / size;
+      m_outer.push_back(
+          {begin, m_vertex[m_t_mesh.source(h)], h == first ? first_place : add_crease_place_of_source(h)});
+      append(h, begin, CGAL::to_double(m_t_mesh.knot(h)) / size);
       if (m_t_mesh.is_corner(h)) {
-        m_outer.push_back({1, m_vertex[m_t_mesh.target(h)]});
+        m_outer.push_back({1, m_vertex[m_t_mesh.target(h)], last_place});
         return;
       }
     }
@@ -226,16 +292,27 @@ private:
                m_outer[o].x + m_outer[o + 1].x <= m_inner[i].x + m_inner[i + 1].x;
       };
       if (i == last_i || (o < last_o && is_outer_point_first())) {
-        m_triangles.push_back({m_outer[o].index, m_outer[o + 1].index, m_inner[i].index});
+        add_triangle(m_outer[o], m_outer[o + 1], m_inner[i]);
         has_left_tip = m_is_tip[m_outer[o].index];
         ++o;
       }
       else {
-        m_triangles.push_back({m_outer[o].index, m_inner[i + 1].index, m_inner[i].index});
+        add_triangle(m_outer[o], m_inner[i + 1], m_inner[i]);
         has_left_tip = false;
         ++i;
       }
     }
+  }
+
+  void add_triangle(const Strip_point& a, const Strip_point& b, const Strip_point& c)
+  {
+    int corner = 0;
+    for (const Index place : {a.crease_place, b.crease_place, c.crease_place}) {
+      if (place != none)
+        m_crease_corners.push_back({m_triangles.size(), corner, place});
+      ++corner;
+    }
+    m_triangles.push_back({a.index, b.index, c.index});
   }
 
   std::size_t work(const int f) const { return m_divisions.faces[f][0].size() * m_divisions.faces[f][1].size(); }
@@ -247,7 +324,10 @@ private:
   std::vector<int> m_faces;             // per triangle
   std::vector<Index> m_vertex, m_first; // per vertex, per edge
   std::vector<Strip_point> m_outer, m_inner;
-  std::vector<char> m_is_tip; // per place
+  std::vector<char> m_is_tip;       // per place
+  std::vector<char> m_is_on_crease; // per place of vertices and edges; empty without creases
+  std::vector<Place> m_crease_places;
+  std::vector<Crease_corner> m_crease_corners;
 };
 
 } // namespace internal
