@@ -13,8 +13,8 @@
 
 /// What the page draws of a T-spline surface: a tessellation, and the control T-mesh. Empty where there is no surface.
 ///
-/// Where normals or curvatures differ from one patch to the next, each patch has to have vertices of its own, or the
-/// page cannot show it.
+/// Where normals differ from one side to the other, at creases, each side has points of its own, or the page could not show
+/// it.
 struct Surface_drawing {
   std::vector<Kernel::Point_3> points;        ///< of the tessellation
   std::vector<Kernel::Vector_3> normals;      ///< per point: of length 1
@@ -28,6 +28,8 @@ struct Surface_drawing {
   std::vector<std::uint32_t> edge_sizes;      ///< per polyline: its number of points
   std::vector<Kernel::Point_3> border_points; ///< the border of the surface, likewise
   std::vector<std::uint32_t> border_sizes;    ///< per polyline: its number of points
+  std::vector<Kernel::Point_3> crease_points; ///< the creases of the surface, likewise
+  std::vector<std::uint32_t> crease_sizes;    ///< per polyline: its number of points
   std::vector<Kernel::Point_3> extraordinary_points; ///< on the surface, not on its border
   std::vector<Kernel::Point_3> corner_points;        ///< where the border has corners
   std::vector<std::uint32_t> corner_turns;           ///< per corner: its angle in quarter turns

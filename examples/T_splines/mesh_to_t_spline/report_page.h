@@ -151,6 +151,8 @@ inline void add_surface_data(Page_data& data, const Page_frame& frame, const Sur
   data["edge_sizes"] = [&] { return base64_of_array(surface.edge_sizes); };
   data["border_points"] = [&] { return base64_of_array(frame.positions(surface.border_points)); };
   data["border_sizes"] = [&] { return base64_of_array(surface.border_sizes); };
+  data["crease_points"] = [&] { return base64_of_array(frame.positions(surface.crease_points)); };
+  data["crease_sizes"] = [&] { return base64_of_array(surface.crease_sizes); };
   data["corner_points"] = [&] { return base64_of_array(frame.positions(surface.corner_points)); };
   data["corner_turns"] = [&] { return base64_of_array(surface.corner_turns); };
   data["extraordinary_points"] = [&] { return base64_of_array(frame.positions(surface.extraordinary_points)); };

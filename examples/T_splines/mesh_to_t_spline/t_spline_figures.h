@@ -88,6 +88,7 @@ struct T_spline_figures {
   std::size_t patches = 0;
   std::map<int, std::size_t> valences; ///< of the extraordinary vertices
   std::map<int, std::size_t> corners;  ///< of the border, by quarter turns
+  std::size_t creases = 0;             ///< edges of the T-mesh that are creases
   int rings = 0;                       ///< of patches around extraordinary vertices
   double cap_deviation = 0;            ///< by the longest side
   std::size_t tessellation_triangles = 0;
@@ -240,6 +241,7 @@ inline void write_t_spline_figures(Json_writer& json, const T_spline_figures& fi
   };
   write_counts("valences", figures.valences);
   write_counts("corners", figures.corners);
+  json.member("creases", figures.creases);
   json.member("rings_of_patches", figures.rings).member("cap_deviation", figures.cap_deviation);
   json.member("tessellation_triangles", figures.tessellation_triangles);
   json.end_object();

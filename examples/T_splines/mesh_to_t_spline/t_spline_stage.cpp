@@ -79,7 +79,7 @@ Failure fit(const Options& options, Chosen_spd_solver_traits& solver, Progress& 
   return is_fitted ? Failure() : failure_of(options, approximation);
 }
 
-/// The images of the edges of the T-mesh, those of the border once more, and the edges of the control net.
+/// The images of the edges of the T-mesh, those of the border and creases once more, and the edges of the control net.
 void draw_edges(const Surface& surface, const T_spline& spline, const int resolution, Surface_drawing& drawing)
 {
   const Graph& graph = spline.graph();
@@ -99,11 +99,15 @@ void draw_edges(const Surface& surface, const T_spline& spline, const int resolu
                            std::clamp(a.second + x * (b.second - a.second), 0., surface.height(f))));
     }
     drawing.edge_sizes.push_back(static_cast<std::uint32_t>(resolution + 1));
-    if (graph.is_border(e)) {
-      drawing.border_points.insert(drawing.border_points.end(), drawing.edge_points.begin() + first,
-                                   drawing.edge_points.end());
-      drawing.border_sizes.push_back(drawing.edge_sizes.back());
-    }
+    const auto draw_again = [&](std::vector<Kernel::Point_3>& points, std::vector<std::uint32_t>& sizes) {
+      points.insert(points.end(), drawing.edge_points.begin() + static_cast<std::ptrdiff_t>(first),
+                    drawing.edge_points.end());
+      sizes.push_back(drawing.edge_sizes.back());
+    };
+    if (graph.is_border(e))
+      draw_again(drawing.border_points, drawing.border_sizes);
+    else if (spline.creases()[e])
+      draw_again(drawing.crease_points, drawing.crease_sizes);
   }
 }
 
@@ -139,15 +143,16 @@ Surface_drawing drawing_of(const Surface& surface, const T_spline& spline, const
   const int resolution =
       std::clamp(static_cast<int>(std::sqrt(static_cast<double>(most) / (2. * static_cast<double>(faces)))), 3, 16);
   const auto tessellation = CGAL::T_splines::tessellate_parameter_domain(surface, resolution);
-  for (const auto& place : tessellation.places) {
-    const Surface::Jet jet = surface.jet(place.face, place.u, place.v);
-    const bool is_regular = jet.normal().squared_length() > 0;
-    drawing.points.push_back(jet.position);
-    drawing.normals.push_back(surface.unit_normal(place.face, place.u, place.v));
-    // On the page a sphere with outward normals has a positive curvature.
-    drawing.mean_curvature.push_back(is_regular ? -jet.curvatures().mean : std::numeric_limits<double>::quiet_NaN());
-  }
-  for (const auto& triangle : tessellation.triangles)
+  for (const auto* const places : {&tessellation.places, &tessellation.crease_places})
+    for (const auto& place : *places) {
+      const Surface::Jet jet = surface.jet(place.face, place.u, place.v);
+      const bool is_regular = jet.normal().squared_length() > 0;
+      drawing.points.push_back(jet.position);
+      drawing.normals.push_back(surface.unit_normal(place.face, place.u, place.v));
+      // On the page a sphere with outward normals has a positive curvature.
+      drawing.mean_curvature.push_back(is_regular ? -jet.curvatures().mean : std::numeric_limits<double>::quiet_NaN());
+    }
+  for (const auto& triangle : tessellation.triangles_split_at_creases())
     for (const std::size_t i : triangle)
       drawing.triangles.push_back(static_cast<std::uint32_t>(i));
   draw_edges(surface, spline, resolution, drawing);
@@ -180,6 +185,7 @@ void set_surface_figures(const Results& results, T_spline_figures& figures)
   figures.rings = results.surface->number_of_rings();
   figures.cap_deviation = results.surface->cap_deviation() / figures.longest_side;
   figures.tessellation_triangles = results.surface_drawing.triangles.size() / 3;
+  figures.creases = results.surface_drawing.crease_sizes.size();
   const T_spline& spline = results.fitted;
   for (const Graph::Vertex_index v : spline.graph().vertices())
     if (CGAL::T_splines::is_extraordinary(v, spline))

@@ -33,6 +33,17 @@ inline bool contains(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
+/// The first number of the name after a text.
+inline double number_after(const std::string& json, const std::string& text, const std::string& name)
+{
+  const std::size_t begin = json.find(text);
+  REQUIRE(begin != std::string::npos);
+  const std::string key = "\"" + name + "\": ";
+  const std::size_t place = json.find(key, begin);
+  REQUIRE(place != std::string::npos);
+  return std::stod(json.substr(place + key.size()));
+}
+
 /// Runs the program into a directory that does not exist before, and checks that it does not exist afterwards.
 inline Program_run failing_run(const std::string& arguments, const std::string& prefix = "")
 {

@@ -173,17 +173,6 @@ private:
   }
 };
 
-/// The first number of this name after a text.
-double number_after(const std::string& json, const std::string& text, const std::string& name)
-{
-  const std::size_t begin = json.find(text);
-  REQUIRE(begin != std::string::npos);
-  const std::string key = "\"" + name + "\": ";
-  const std::size_t place = json.find(key, begin);
-  REQUIRE(place != std::string::npos);
-  return std::stod(json.substr(place + key.size()));
-}
-
 } // namespace
 
 TEST_CASE("the distance between the borders is reported, drawn and within the tolerance")

@@ -10,8 +10,14 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +30,55 @@ std::string written(const Temporary_directory& directory, const feature_meshes::
   const std::string name = directory.file("mesh.off");
   REQUIRE(CGAL::IO::write_polygon_mesh(name, mesh, CGAL::parameters::stream_precision(17)));
   return name;
+}
+
+/// The numbers that the page has under a name.
+template <typename Number>
+std::vector<Number> page_data(const std::string& page, const std::string& name)
+{
+  const std::string start = "id=\"" + name + "\">",
+                    digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::size_t i = page.find(start);
+  REQUIRE(i != std::string::npos);
+  std::string bytes;
+  unsigned int bits = 0;
+  int number_of_bits = 0;
+  for (i += start.size(); page[i] != '=' && page[i] != '<'; ++i) {
+    bits = (bits << 6 | static_cast<unsigned int>(digits.find(page[i]))) & 0xffff;
+    number_of_bits += 6;
+    if (number_of_bits >= 8) {
+      number_of_bits -= 8;
+      bytes.push_back(static_cast<char>(bits >> number_of_bits & 0xff));
+    }
+  }
+  std::vector<Number> result(bytes.size() / sizeof(Number));
+  std::memcpy(result.data(), bytes.data(),
+              result.size() * sizeof(Number)); // this machine's numbers are little endian, too
+  return result;
+}
+
+/// The least cosine of the angle between a triangle that the page draws and a normal at one of its corners.
+double least_cosine_of_drawing(const std::string& page)
+{
+  const auto points = page_data<float>(page, "spline_points");
+  const auto normals = page_data<std::int16_t>(page, "spline_normals");
+  const auto triangles = page_data<std::uint32_t>(page, "spline_triangles");
+  REQUIRE(points.size() == normals.size());
+  REQUIRE(triangles.size() > 0);
+  const auto point = [&](const std::size_t i) {
+    return Kernel::Point_3(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+  };
+  double result = 1;
+  for (std::size_t t = 0; t + 2 < triangles.size(); t += 3) {
+    const Kernel::Vector_3 n = CGAL::cross_product(point(triangles[t + 1]) - point(triangles[t]),
+                                                   point(triangles[t + 2]) - point(triangles[t]));
+    for (std::size_t k = t; k < t + 3; ++k) {
+      const std::size_t i = 3 * triangles[k];
+      const Kernel::Vector_3 m(normals[i], normals[i + 1], normals[i + 2]);
+      result = (std::min)(result, n * m / std::sqrt(n.squared_length() * m.squared_length()));
+    }
+  }
+  return result;
 }
 
 } // namespace
@@ -41,6 +96,17 @@ TEST_CASE("sharp edges become edges of the T-mesh, which is said, and the surfac
   CHECK(contains(report, "\"edges_not_met\": 0"));
   CHECK(contains(report, "\"is_aligned\": true"));
   CHECK(contains(run.output, "within the tolerance"));
+  CHECK(number_after(report, "\"t_spline\": {", "creases") > 0);
+  CHECK(least_cosine_of_drawing(file_content(output + "/report.html")) > 0.9); // not the normal of the other side
+  const std::optional<std::string> page = page_in_browser(output, "view=reflection&edges=1");
+  if (!page) {
+    WARN("no chromium that runs: the page was not tried");
+    return;
+  }
+  CHECK(contains(*page, "<th scope=\"row\">creases (edges)</th>"));
+  CHECK(contains(*page, "</span>creases: edges along which the surface is sharp</p>"));
+  CHECK(contains(*page, "<label><input type=\"checkbox\">creases</label>"));
+  CHECK(contains(*page, "<p id=\"message\" hidden=\"\"></p>"));
 }
 
 TEST_CASE("features come from a file")

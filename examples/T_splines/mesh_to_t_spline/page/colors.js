@@ -22,6 +22,6 @@ const deviationColors = ["#fcfdbf", "#fecf92", "#fe9f6d", "#f7705c", "#de4968", 
 
 const undefinedColor = "#8f9499";
 
-const extraordinaryColor = "#f2b705", netColor = "#008577", edgeColor = "#172138", borderColor = "#0b6bcb";
+const extraordinaryColor = "#f2b705", netColor = "#008577", edgeColor = "#172138", borderColor = "#0b6bcb", creaseColor = "#c2188f";
 
 function glslColor(hex) { return `vec3(${colorComponents(hex).map(x => x.toFixed(4)).join(", ")})`; }

@@ -44,7 +44,7 @@ function listenForLayerKeys(options, layers, refresh) {
 }
 
 // Check boxes, lists and sliders, each with what tells whether a view has it. \return what brings all up to date.
-function makeToggles(options, layers, hasBorder, refresh) {
+function makeToggles(options, layers, { hasBorder, hasCreases }, refresh) {
   const toggles = document.getElementById("toggles"), updates = [];
   const add = (control, label, property, isShown) => {
     control.addEventListener("input", () => {
@@ -74,6 +74,7 @@ function makeToggles(options, layers, hasBorder, refresh) {
   check("patch edges", "edges", view => view.ofSpline);
   check("extraordinary points", "points", view => view.ofSpline);
   check("border", "border", () => hasBorder);
+  check("creases", "creases", view => view.ofSpline && hasCreases);
   check("compare with the input", "compared", view => view.ofSpline);
   list(["horizontal lines", "vertical lines", "rings"], "light lines", "lights", isView("reflection"));
   slider("density", -2, 2, "lineOctaves", isView("reflection"));
@@ -87,9 +88,9 @@ function makeToggles(options, layers, hasBorder, refresh) {
   return () => updates.forEach(update => update());
 }
 
-// Radio buttons for the views, check boxes for what is drawn on top; `changed` is called after each change. Returns what
-// brings all of them up to date after the options were changed elsewhere.
-function makeControls(options, views, layers, hasBorder, changed) {
+// Radio buttons for the views, check boxes for what is drawn on top; `has` tells whether there are a border and creases;
+// `changed` is called after each change. Returns what brings all of them up to date after the options were changed elsewhere.
+function makeControls(options, views, layers, has, changed) {
   const group = document.getElementById("views");
   const buttons = views.map(view => {
     const button = element("button", { role: "radio", type: "button" }, view.name);
@@ -103,8 +104,8 @@ function makeControls(options, views, layers, hasBorder, changed) {
     changed();
   };
   const markLayer = makeLayerControls(options, layers, () => refresh());
-  const updateToggles = makeToggles(options, layers, hasBorder, () => refresh());
-  document.getElementById("border_help").hidden = !hasBorder;
+  const updateToggles = makeToggles(options, layers, has, () => refresh());
+  document.getElementById("border_help").hidden = !has.hasBorder;
   listenForLayerKeys(options, layers, () => refresh());
   const titles = views.some(view => view.ofSpline) ? [["T-spline", true], ["Map", false]] : [["", false]];
   for (const [title, ofSpline] of titles)

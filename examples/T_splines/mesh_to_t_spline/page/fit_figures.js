@@ -184,11 +184,14 @@ function splineSection(spline) {
     .map(([valence, count]) => [`of valence ${valence}`, count]);
   const point = element("p", { class: "note" }, element("span", { class: "swatch", style: `background: ${extraordinaryColor}` }),
     "extraordinary points ", element("span", { class: "stroke", style: `background: ${netColor}; margin-left: 10px` }), "control net");
+  const crease = element("p", { class: "note" }, element("span", { class: "stroke", style: `background: ${creaseColor}` }),
+    "creases: edges along which the surface is sharp");
   return section("T-spline surface", table([
     ["control points", spline.levels[spline.best_level].control_points],
     ["in rings round extraordinary vertices", spline.levels[spline.best_level].control_points_in_rings],
     ["faces", spline.t_mesh.faces], ["T-joints", spline.t_mesh.t_joints],
+    ...(spline.creases > 0 ? [["creases (edges)", spline.creases]] : []),
     ["extraordinary vertices", spline.extraordinary_vertices], ...valences, ["Bezier patches", spline.patches],
     ["deviation of the caps", percentText(spline.cap_deviation)],
-    ["triangles of the tessellation", spline.tessellation_triangles]]), point);
+    ["triangles of the tessellation", spline.tessellation_triangles]]), point, ...(spline.creases > 0 ? [crease] : []));
 }

@@ -162,7 +162,7 @@ function firstOptions({ spline, tMeshes, diagonal }, views, area, { cones, corne
     view: views.find(view => view.key === (spline ? "shaded" : tMeshes.length > 0 ? "shape" : "checker")),
     wire: 0, tMesh: tMeshes.length, cut: tMeshes.length === 0, cones: true, joints: true, cellOctaves: 0, coneRadius,
     jointRadius: Math.min(0.7 * coneRadius, 0.07 * Math.sqrt(area / mostJoints)),
-    net: false, edges: false, points: true, border: true, cornerRadius: 0.014 * Math.min(1, Math.sqrt(40 / Math.max(1, numberOfCorners))), compared: false, compare: 0.5, lights: 0, lineOctaves: 0, rangeOctaves: 0,
+    net: false, edges: false, points: true, border: true, creases: true, cornerRadius: 0.014 * Math.min(1, Math.sqrt(40 / Math.max(1, numberOfCorners))), compared: false, compare: 0.5, lights: 0, lineOctaves: 0, rangeOctaves: 0,
     deviationOctaves: 0, curvatureRange: ofSpline ? curvatureRange(ofSpline.curvature.distribution, diagonal) : 1,
     deviationRange: spline ? deviationRange(spline.deviation) : 1
   };
@@ -232,7 +232,8 @@ function start() {
       requestAnimationFrame(() => { requested = false; draw(); });
     requested = true;
   };
-  const refresh = makeControls(options, views, tMeshes, border.length > 0, () => {
+  const has = { hasBorder: border.length > 0, hasCreases: Boolean(spline) && spline.creases.length > 0 };
+  const refresh = makeControls(options, views, tMeshes, has, () => {
     showLegend(options, buffers.scaleRange, ofSpline);
     showDivider(options);
     redraw();

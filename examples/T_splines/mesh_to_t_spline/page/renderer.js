@@ -91,7 +91,7 @@ class Renderer {
     };
   }
 
-  setSpline(buffers, { net, edges, border, extraordinary, corners, cornerTurns }) {
+  setSpline(buffers, { net, edges, border, creases, extraordinary, corners, cornerTurns }) {
     const gl = this.gl, array = this.vertexArray([
       { data: buffers.position, size: 3 }, { data: buffers.normal, size: 3 }, { data: buffers.values, size: 3 }]);
     gl.bindVertexArray(array);
@@ -101,7 +101,7 @@ class Renderer {
     const color = colorComponents(extraordinaryColor);
     this.spline = {
       array, size: buffers.triangles.length, net: this.lines(net), edges: this.lines(edges),
-      border: this.lines(border),
+      border: this.lines(border), creases: this.lines(creases),
       corners: this.balls(corners, new Float32Array([...cornerTurns].flatMap(k => colorComponents(cornerColor(k))))),
       extraordinary: this.balls(extraordinary, extraordinary.map((_, i) => color[i % 3]))
     };
@@ -246,6 +246,8 @@ class Renderer {
       this.drawLines(frame, this.spline.net, 1.3, colorComponents(netColor));
     if (options.border && options.view.key === "deviation" && this.border.count > 0)
       this.drawLines(frame, this.border, 1.3, colorComponents(edgeColor));
+    if (options.creases && this.spline.creases.count > 0)
+      this.drawLines(frame, this.spline.creases, 1.8, colorComponents(creaseColor), 0.998); // over other lines
     this.drawBorder(frame, options, this.spline);
     if (options.points && this.spline.extraordinary.count > 0)
       this.drawBalls(frame, this.spline.extraordinary, options.coneRadius, 0);

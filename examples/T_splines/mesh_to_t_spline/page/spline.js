@@ -2,7 +2,8 @@
 
 // null if there is none. points: 3 coordinates per point, in the frame of the mesh; normals: 3 multiples of 1/32767 per
 // point; curvature: 1 per point, in the units of the model, NaN where undefined; deviation: 1 per point, the distance from the
-// mesh by the longest side; triangles: 3 points each; net, edges, border: segments; extraordinary, corners: 3 coordinates per point;
+// mesh by the longest side; triangles: 3 points each; those on both sides of a crease share none; net, edges, border, creases:
+// segments; extraordinary, corners: 3 coordinates per point;
 // cornerTurns: 1 per corner, its angle in quarter turns.
 function readSpline() {
   const floats = id => new Float32Array(decode(id)), integers = id => new Uint32Array(decode(id));
@@ -12,6 +13,7 @@ function readSpline() {
     net: polylineSegments(floats("net_points"), integers("net_sizes")),
     edges: polylineSegments(floats("edge_points"), integers("edge_sizes")),
     border: polylineSegments(floats("border_points"), integers("border_sizes")),
+    creases: polylineSegments(floats("crease_points"), integers("crease_sizes")),
     extraordinary: floats("extraordinary_points"), corners: floats("corner_points"), cornerTurns: integers("corner_turns")
   };
   return spline.triangles.length > 0 ? spline : null;
