@@ -337,6 +337,45 @@ TEST_CASE("triangles are as close to the surface as asked for, the more the clos
   }
 }
 
+namespace {
+
+// A narrow band of a cone, and beyond a crease the cone folded back, with waves: there a distance asks for many points on the
+// crease, and between two points inside of the band the crease bends more than the triangles are wide.
+// \return the number of triangles of the band
+std::size_t triangles_of_band(const double width, const bool is_band_first)
+{
+  constexpr int columns = 12, rows = 6, middle = 3;
+  Mesh t(test_t_meshes::rectangle<double>(columns, rows));
+  for (int i = 0; i < columns; ++i)
+    put(t.creases(), edge(t.halfedge_of(i + columns * middle, 0), t.mesh), true);
+  const auto report = t.make_spline_compatible();
+  REQUIRE(report);
+  REQUIRE(report.vertices_after == (columns + 1) * (rows + 1));
+  for (int f = 0; f < columns * rows; ++f)
+    for (int k = 0; k < 4; ++k) {
+      const int i = f % columns + (k == 1 || k == 2), j = f / columns + (k >= 2), from_crease = std::abs(j - middle);
+      const bool is_of_band = (j < middle) == is_band_first;
+      const double angle = i * std::acos(-1.) / 8, radius = 1 + from_crease * (is_of_band ? width : 0.5);
+      const double wave = !is_of_band && from_crease >= 2 ? i % 2 : 0;
+      t.set_control(source(t.halfedge_of(f, k), t.mesh),
+                    Kernel::Point_3(radius * std::cos(angle), radius * std::sin(angle), (radius - 1) / 2 + wave), 1.);
+    }
+  const auto patches = T::compile_T_spline(t.surface());
+  const auto tessellation = T::tessellate_parameter_domain(patches, T::Tessellation_resolution::within(1e-3));
+  return std::count_if(tessellation.faces.begin(), tessellation.faces.end(), [&](const auto face) {
+    const auto f = std::find(t.face_list.begin(), t.face_list.end(), face) - t.face_list.begin();
+    return (f / columns < middle) == is_band_first;
+  });
+}
+
+} // namespace
+
+TEST_CASE("a side of a crease is divided by its own normals, whichever side comes first", "[Tessellation_resolution]")
+{
+  for (const double width : {0.0003, 0.0006})
+    CHECK(triangles_of_band(width, true) == triangles_of_band(width, false));
+}
+
 TEST_CASE("a PLY file has the points and triangles bit by bit, and the normals", "[write_t_spline_ply]")
 {
   Mesh t(test_t_meshes::cube<double>());
