@@ -86,7 +86,11 @@ TEMPLATE_TEST_CASE("the features of a cube are its twelve edges", "", test::Surf
     CHECK(report.features.number_of_loops == 0);
     CHECK(report.features.number_of_corners == 8);
     CHECK(report.features.number_of_darts == 0);
-    CHECK(ts::feature_figures(mesh, marks).number_of_edges == 12 * n);
+    CHECK(report.features.relative_length == Approx(12 / std::sqrt(6.)));
+    CHECK(report.features.divide_surface());
+    const ts::Feature_figures figures = ts::feature_figures(mesh, marks);
+    CHECK(figures.number_of_edges == 12 * n);
+    CHECK(figures.relative_length == report.features.relative_length);
     CHECK(describe(report, mesh) == std::to_string(12 * n) +
                                         " feature edges in 12 arcs, 0 of them closed; 8 corners, 0 "
                                         "ends inside, 0 on the border");
@@ -108,6 +112,7 @@ TEST_CASE("the features of parts are found with few and with many triangles")
     CHECK(bracket.number_of_arcs == 18 + 12);
     CHECK(bracket.number_of_corners == 12 + 8);
     CHECK(bracket.number_of_darts == 0);
+    CHECK(bracket.divide_surface());
     const ts::Feature_figures gear = detected(fm::gear(9, n));
     CHECK(gear.number_of_arcs == 9 * 4 * 3); // per tooth and height: flanks, and the rims above and below
     CHECK(gear.number_of_corners == 9 * 4 * 2);
@@ -125,6 +130,7 @@ TEST_CASE("a crease that fades is followed to the weak angle, however fine the m
     CHECK(report.features.number_of_arcs == 1);
     CHECK(report.features.number_of_darts == 1);
     CHECK(report.features.number_of_ends_on_border == 1);
+    CHECK_FALSE(report.features.divide_surface()); // it ends inside
     // On the ridge the sides turn by 2 atan((1 - x) / sqrt(1.25)): by 20 degrees at x = 0.803, by 40 at 0.593.
     CHECK(std::abs(report.features.number_of_edges - 0.803 * n) <= 1.5);
     const auto strong = ts::detect_features(mesh, marks, ts::parameters::weak_feature_angle(40.));

@@ -109,6 +109,25 @@ TEST_CASE("sharp edges become edges of the T-mesh, which is said, and the surfac
   CHECK(contains(*page, "<p id=\"message\" hidden=\"\"></p>"));
 }
 
+TEST_CASE("features are looked for where they divide the surface into sides, unless that is not wanted")
+{
+  const Temporary_directory directory;
+  const std::string part = written(directory, feature_meshes::bracket_with_hole(2)), output = directory.file("output"),
+                    animal = std::string(T_SPLINES_DEMO_DATA) + "/meshes/cow.off"; // 14 ridges
+  const auto has_features = [&](const std::string& mesh, const std::string& options) {
+    const Program_run run("'" + mesh + "' --no-spline " + options + " -o '" + output + "'");
+    INFO(run.errors);
+    REQUIRE(run.exit_code == 0);
+    const bool result = contains(run.output, "  features    ");
+    CHECK(contains(file_content(output + "/report.json"), "\"features\": {") == result);
+    return result;
+  };
+  CHECK(has_features(part, ""));
+  CHECK_FALSE(has_features(part, "--no-features"));
+  CHECK_FALSE(has_features(animal, ""));
+  CHECK(has_features(animal, "--feature-angle 40"));
+}
+
 TEST_CASE("features come from a file")
 {
   const Temporary_directory directory;
@@ -150,6 +169,7 @@ TEST_CASE("features that are refused are named, with the file, and nothing is wr
   refused("--feature-angle 0", "--feature-angle needs a positive number");
   refused("--feature-angle 40 --fill-holes 8", "exclude each other");
   refused("--feature-angle 40 --cones x.cones", "is for the computed field");
+  refused("--feature-angle 40 --no-features", "exclude each other");
   refused("--scale large", "--scale needs one of auto, as-is, unit, dyadic");
 }
 

@@ -300,7 +300,7 @@ compute_feature_aligned_cross_field(const TriangleMesh& mesh, EdgeIsFeatureMap e
   report.number_of_rounds = field.number_of_rounds();
   report.number_of_repaired_sectors = field.number_of_repaired_sectors();
   report.energy = field.energy();
-  report.features = internal::figures_of_features(domain.m_connectivity, field.is_feature());
+  report.features = internal::figures_of_features(domain.m_connectivity, domain.m_geometry, field.is_feature());
   internal::write_cross_field(domain.m_indexing, domain.m_connectivity, domain.m_geometry, field.angles(), cross_field);
   internal::write_feature_alignment(domain, field, edge_is_feature, np, report);
   return report;

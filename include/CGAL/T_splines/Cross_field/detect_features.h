@@ -162,7 +162,7 @@ Feature_detection_report<TriangleMesh> detect_features(const TriangleMesh& mesh,
     report.status = Feature_detection_status::INTERRUPTED;
     return report;
   }
-  report.features = internal::figures_of_features(domain.m_connectivity, is_feature);
+  report.features = internal::figures_of_features(domain.m_connectivity, domain.m_geometry, is_feature);
   for (int e = 0; e < domain.m_connectivity.number_of_edges(); ++e)
     put(edge_is_feature, edge(domain.m_indexing.halfedge(internal::halfedge_of_edge(e)), mesh), is_feature[e] != 0);
   return report;

@@ -31,7 +31,7 @@ struct Feature_figures {
   int number_of_corners = 0;        ///< vertices inside with three marked edges or more
   int number_of_darts = 0;          ///< vertices inside where a single marked edge ends
   int number_of_ends_on_border = 0; ///< vertices on the border with a marked edge
-  double relative_length = 0; ///< of all marked edges, by the square root of the area; `feature_figures()` has it alone
+  double relative_length = 0;       ///< of all marked edges, by the square root of the area of the mesh
 
   /// returns whether the features are the edges of a part with sides, rather than ridges of something rounded: they are
   /// long, and hardly any of them ends inside.
@@ -57,10 +57,16 @@ inline std::string describe(const Feature_figures& figures)
 
 namespace internal {
 
-inline Feature_figures figures_of_features(const Triangulation_connectivity& mesh, const std::vector<char>& is_feature)
+inline Feature_figures figures_of_features(const Triangulation_connectivity& mesh, const Triangle_geometry& geometry,
+                                           const std::vector<char>& is_feature)
 {
   const Feature_arcs graph(mesh, is_feature);
   Feature_figures figures;
+  double length = 0;
+  for (int e = 0; e < mesh.number_of_edges(); ++e)
+    length += is_feature[e] != 0 ? geometry.m_edge_length[e] : 0;
+  const double area = std::accumulate(geometry.m_area.begin(), geometry.m_area.end(), 0.);
+  figures.relative_length = area > 0 ? length / std::sqrt(area) : 0;
   for (const Feature_arcs::Arc& arc : graph.arcs()) {
     figures.number_of_edges += static_cast<int>(arc.halfedges.size());
     ++figures.number_of_arcs;
@@ -117,18 +123,11 @@ Feature_figures feature_figures(const TriangleMesh& mesh, const EdgeIsFeatureMap
 {
   const internal::Mesh_indexing<TriangleMesh> indexing(mesh);
   const internal::Triangulation_connectivity connectivity = internal::triangulation_connectivity(indexing);
-  const std::vector<char> is_feature = internal::inner_features(indexing, connectivity, edge_is_feature);
-  Feature_figures figures = internal::figures_of_features(connectivity, is_feature);
   const auto point_map =
       CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
                                          get_const_property_map(CGAL::vertex_point, mesh));
-  const internal::Triangle_geometry geometry = internal::triangle_geometry(indexing, connectivity, point_map);
-  double length = 0;
-  for (int e = 0; e < connectivity.number_of_edges(); ++e)
-    length += is_feature[e] != 0 ? geometry.m_edge_length[e] : 0;
-  const double area = std::accumulate(geometry.m_area.begin(), geometry.m_area.end(), 0.);
-  figures.relative_length = area > 0 ? length / std::sqrt(area) : 0;
-  return figures;
+  return internal::figures_of_features(connectivity, internal::triangle_geometry(indexing, connectivity, point_map),
+                                       internal::inner_features(indexing, connectivity, edge_is_feature));
 }
 
 } // namespace T_splines
