@@ -94,7 +94,7 @@ public:
   bool may_give_up_features() const
   {
     return interruption_flag == 0 && !m_options.asks_for_features() && m_figures.features &&
-           (!m_figures.t_spline ? m_outcome.exit_code == exit_failure : !m_figures.t_spline->is_faultless());
+           (m_outcome.exit_code != EXIT_SUCCESS || (m_figures.t_spline && !m_figures.t_spline->is_faultless()));
   }
 
   /// Whether the surface of another run has fewer faults. \pre there is one
@@ -278,8 +278,8 @@ Outcome run(const Options& options)
       other.write();
       return other.outcome();
     }
-    if (interruption_flag != 0)
-      return {exit_interrupted, "interrupted"};
+    if (!is_computed || interruption_flag != 0)
+      return other.outcome();
   }
   if (is_computed)
     run.write();

@@ -395,7 +395,7 @@ TEST_CASE("A torus with one cone of three and one of five quarter turns has no m
 TEST_CASE("Of features that cannot all be met the weakest are given up and named")
 {
   // With few cones, opposite sides of patches force arcs between features to have length 0.
-  Scene scene(demo_mesh("double-torus-example.off"), 40, true);
+  Scene scene(demo_mesh("elk.off"), 30, true);
   const Report report = scene.align();
   REQUIRE(report.success());
   CHECK(report.status == Status::CONSTRAINTS_NOT_MET);

@@ -514,7 +514,7 @@ TEST_CASE("lines are refused where one beside them ends at a crease", "[insert_k
 TEST_CASE("random lines with random creases", "[insert_knot_line]")
 {
   CGAL::Random random(17);
-  int inserted = 0, near_crease = 0;
+  int inserted = 0;
   for (const bool is_periodic : {true, false})
     for (int i = 0; i < 10; ++i) {
       Planar_t_mesh plane({0, 1, 2, 3.5, 4, 5, 6, 7.5, 8, 9}, {0, 1, 1.5, 3, 4, 5, 5.5, 7}, is_periodic);
@@ -532,10 +532,8 @@ TEST_CASE("random lines with random creases", "[insert_knot_line]")
       Marked_surface<Exact_mesh> surface(t, 2, random);
       surface.insert_randomly(15, random);
       inserted += surface.count(Status::INSERTED);
-      near_crease += surface.count(Status::NEAR_CREASE);
     }
   CHECK(inserted > 60);
-  CHECK(near_crease > 0);
 }
 
 TEST_CASE("a line that comes back beside itself is refused", "[insert_knot_line]")

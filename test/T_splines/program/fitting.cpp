@@ -155,9 +155,10 @@ TEST_CASE("random points find no larger distance than the report has")
     const std::string report = file_content(output + "/report.json");
     const std::string deviation = report.substr(report.find("\"deviation\": {"));
     const std::vector<double> maxima = numbers(deviation, "maximum"), bounds = numbers(deviation, "upper_bound");
-    REQUIRE(maxima.size() >= 3); // both ways, surface to mesh, mesh to surface
-    CHECK(to_mesh <= 1.02 * maxima[1] * longest_side(fitted.input));
-    CHECK(to_surface <= 1.02 * maxima[2] * longest_side(fitted.input));
+    REQUIRE(maxima.size() >= 3);    // both ways, surface to mesh, mesh to surface
+    const double round_off = 1e-14; // of a plate, all that is left
+    CHECK(to_mesh <= (1.02 * maxima[1] + round_off) * longest_side(fitted.input));
+    CHECK(to_surface <= (1.02 * maxima[2] + round_off) * longest_side(fitted.input));
     CHECK(maxima[0] == std::max(maxima[1], maxima[2]));
     for (int i = 0; i < 3; ++i)
       CHECK(bounds[i] >= maxima[i]);
@@ -180,7 +181,7 @@ TEST_CASE("the levels are written, and the best is the surface")
 {
   const Temporary_directory directory;
   const std::string output = directory.file("output");
-  const Program_run run(tetrahedron + " --levels -o '" + output + "'");
+  const Program_run run(tetrahedron + " --no-features --levels -o '" + output + "'");
   CAPTURE(run.errors, run.output);
   REQUIRE(run.exit_code == 0);
   const std::string report = file_content(output + "/report.json");
@@ -206,7 +207,7 @@ TEST_CASE("a limit on the control points is obeyed, and a surface beyond the tol
 {
   const Temporary_directory directory;
   const std::string output = directory.file("output");
-  const Program_run run(tetrahedron + " --tolerance 0.0001 --max-control-points 700 -o '" + output + "'");
+  const Program_run run(tetrahedron + " --no-features --tolerance 0.0001 --max-control-points 700 -o '" + output + "'");
   CAPTURE(run.errors, run.output);
   REQUIRE(run.exit_code == 0);
   CHECK(contains(run.output, "ended beyond the tolerance: more control points would be needed than are allowed"));
@@ -219,7 +220,7 @@ TEST_CASE("a limit on the control points is obeyed, and a surface beyond the tol
 TEST_CASE("limits on control points and cones that cannot be kept are refused with exit code 2 and the numbers")
 {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"--max-control-points 10",
+      {"--no-features --max-control-points 10",
        "--max-control-points 10: the coarsest surface needs more control points than allowed: "},
       {"--max-cones 2", "--max-cones 2: the surface cannot do with so few cones; the fewest possible are 3"}};
   for (const auto& [arguments, message] : cases) {
@@ -246,8 +247,8 @@ TEST_CASE("cones of the computed field are merged, to fewer if that is asked for
   CHECK(number_of_cones("'" + torus + "' --cone-energy 0") <= all);
   CHECK(number_of_cones("'" + torus + "'") == 0);
   const std::string cube = "'" + data + "good_meshes/cube.obj'";
-  CHECK(number_of_cones(cube) > 3);
-  CHECK(number_of_cones(cube + " --max-cones 3") == 3);
+  CHECK(number_of_cones(cube) == 8);
+  CHECK(number_of_cones(cube + " --max-cones 3") == 3); // although its edges need more
 }
 
 TEST_CASE("a directory without permission to write is refused with exit code 2")

@@ -104,7 +104,7 @@ void fill_report(const Mesh_indexing<TriangleMesh>& indexing, const Map_alignmen
 ///
 /// Not all sets of constrained edges can lie on isolines: opposite sides of a patch may force an arc between them to
 /// have length 0. If the penalties tell so, the weakest arc of those that stay off is given up, that with the least angle between the
-/// faces on both sides, integrated along it; and so on. The report lists its edges.
+/// faces on both sides, integrated along it; and so on, from the third time on twice as many each time. The report lists their edges.
 ///
 /// The result is seamless up to round-off: `make_exactly_seamless()`, with the same constrained edges but those that were given up, makes it
 /// exact.

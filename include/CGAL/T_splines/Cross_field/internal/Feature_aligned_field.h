@@ -105,8 +105,8 @@ public:
 
 private:
   // Of the quarter turns of a sector from its angle: a corner of 270 degrees with two of them would fold in a spline that is
-  // sharp there, one of 120 degrees would be blunt.
-  static constexpr double largest_difference_of_turns = 0.6;
+  // sharp there. Where less is demanded, maps of parts with many features are often no longer possible.
+  static constexpr double largest_difference_of_turns = 0.75;
 
   // Then narrow sectors get quarter turns, too. One round or two are usual.
   static constexpr int most_rounds_for_narrow_sectors = 20;

@@ -96,7 +96,7 @@ public:
   }
 
   /// gives sectors between features the quarter turns that go best with their angles: those that are off by more than
-  /// `tolerance` of one, as far as their part of the surface can give or take them.
+  /// `tolerance` of one, as far as their part of the surface has some too many or too few. No new cones arise.
   /// \return how many it changed
   int meet_angles(const double tolerance)
   {
@@ -108,13 +108,8 @@ public:
       m_crossed.clear();
       while (std::abs(m_turns[s] - m_angle_in_turns[s]) > tolerance && m_progress.go_on_after(100)) {
         const int change = m_turns[s] < m_angle_in_turns[s] ? 1 : -1;
-        const auto has_excess = [&](const int least) {
-          return [=](const int t) {
-            return (m_turns[t] - m_usual_turns[t]) * change > (m_sectors.has_bounds(t) ? 0 : least);
-          };
-        };
-        if (m_turns[s] + change < 1 || !(carry_quarter_turn(s, change, around, has_excess(0)) ||
-                                         carry_quarter_turn(s, change, around, has_excess(-1))))
+        const auto has_excess = [&](const int t) { return (m_turns[t] - m_usual_turns[t]) * change > 0; };
+        if (m_turns[s] + change < 1 || !carry_quarter_turn(s, change, around, has_excess))
           break;
       }
       if (around.size() > 1) {

@@ -241,12 +241,12 @@ private:
     return x;
   }
 
-  // If not all edges can lie on isolines, the weakest arcs of those that stay off them are given up, one after the other.
+  // If not all edges can lie on isolines, the weakest arcs of those that stay off them are given up.
   bool minimize(const Alignment_rows& rows, Alignment_energy& energy, std::vector<double>& x)
   {
     const std::vector<double> start = x;
     while (!minimize_with_edges(rows, energy, x)) {
-      if (m_figures.status != Map_alignment_status::CONSTRAINTS_NOT_MET || !give_up_an_arc(rows, x))
+      if (m_figures.status != Map_alignment_status::CONSTRAINTS_NOT_MET || !give_up_arcs(rows, x))
         return false;
       m_figures.status = Map_alignment_status::ALIGNED;
       x = start;
@@ -277,8 +277,9 @@ private:
     return minimize_in(all, energy, false, x);
   }
 
-  // The arc that turns least, by the integral of the angle between its two sides. \param x where they are off
-  bool give_up_an_arc(const Alignment_rows& rows, const std::vector<double>& x)
+  // The arcs that turn least, by the integral of the angle between their two sides: one, and twice as many each time from
+  // the third on, so that it ends soon where many cannot be met. \param x where they are off
+  bool give_up_arcs(const Alignment_rows& rows, const std::vector<double>& x)
   {
     constexpr double clearly = 0.1; // by the largest angle: the others are dragged along
     std::vector<char> is_constrained(m_mesh.number_of_edges(), 0);
@@ -290,24 +291,24 @@ private:
       largest = std::max(largest, off[edge_of(edge.halfedge)]);
     }
     const Feature_arcs graph(m_mesh, is_constrained);
-    const Feature_arcs::Arc* weakest = nullptr;
-    double least = std::numeric_limits<double>::infinity();
+    std::vector<std::pair<double, const Feature_arcs::Arc*>> arcs; // with their turns
     for (const Feature_arcs::Arc& arc : graph.arcs()) {
       if (std::none_of(arc.halfedges.begin(), arc.halfedges.end(),
                        [&](const Index h) { return off[edge_of(h)] > clearly * largest; }))
         continue;
-      double turn = 0;
+      arcs.emplace_back(0., &arc);
       for (const Index h : arc.halfedges)
-        turn += m_geometry.m_edge_length[edge_of(h)] * std::abs(dihedral_angle(m_mesh, m_geometry, edge_of(h)));
-      if (turn < least) {
-        least = turn;
-        weakest = &arc;
-      }
+        arcs.back().first +=
+            m_geometry.m_edge_length[edge_of(h)] * std::abs(dihedral_angle(m_mesh, m_geometry, edge_of(h)));
     }
-    if (weakest == nullptr)
+    if (arcs.empty())
       return false;
-    for (const Index h : weakest->halfedges)
-      is_constrained[edge_of(h)] = 0;
+    std::stable_sort(arcs.begin(), arcs.end(), [](const auto& p, const auto& q) { return p.first < q.first; });
+    const std::size_t number = std::size_t(1) << std::clamp(m_times_given_up - 1, 0, 20);
+    ++m_times_given_up;
+    for (std::size_t i = 0; i < std::min(number, arcs.size()); ++i)
+      for (const Index h : arcs[i].second->halfedges)
+        is_constrained[edge_of(h)] = 0;
     for (const Isoline_edge& edge : m_edges)
       if (is_constrained[edge_of(edge.halfedge)] == 0)
         m_figures.edges_not_met.push_back(edge_of(edge.halfedge));
@@ -421,6 +422,7 @@ private:
   std::vector<double> m_angle;  // per face: from the u-axis to the field
   std::vector<double> m_scale;  // per branch, asked for
   std::vector<double> m_growth; // per face: of its reference
+  int m_times_given_up = 0;     // arcs
   bool m_changes_scales = false;
   Map_alignment_figures m_figures;
 };
