@@ -107,6 +107,7 @@ TEST_CASE("the features of parts are found with few and with many triangles")
       CHECK(round.number_of_edges == 2 * 16 * n);
       CHECK(round.number_of_loops == 2);
       CHECK(round.number_of_arcs == 2);
+      CHECK(round.divide_surface());
     }
     const ts::Feature_figures bracket = detected(fm::bracket_with_hole(n));
     CHECK(bracket.number_of_arcs == 18 + 12);
