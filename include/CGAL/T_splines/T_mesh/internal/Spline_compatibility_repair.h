@@ -244,13 +244,14 @@ private:
         split_longest_interval(state, rays, i);
   }
 
-  // The last interval before a border that is seen from the second ring.
+  // The last interval before a border that is seen from the second ring; natural ends do no harm.
   template <typename KnotFT>
   void keep_off_border(State<KnotFT>& state, const Spline_defect& defect)
   {
     const Vertex_rays<KnotFT> rays = state.structure.rays(defect.vertex);
     for (const Knot_ray<KnotFT>& ray : rays)
-      if (ray.border < 3 && halve_interval(state, ray, ray.border - 1) == Split::IMPOSSIBLE)
+      if (!ray.is_natural && ray.border > 0 && ray.border < 3 &&
+          halve_interval(state, ray, ray.border - 1) == Split::IMPOSSIBLE)
         m_cones_to_do.push_back(state.vertex(defect.extraordinary_vertex));
   }
 
