@@ -162,6 +162,7 @@ private:
     for (const auto& edge : m_mesh_edges)
       vertices.push_back({m_mesh.points[edge[0]], m_mesh.points[edge[0]]});
     const Segment_tree tree(std::move(vertices), m_progress);
+    std::vector<char> is_counted(t_mesh.number_of_vertices(), 0); // several creases end at a corner, on both sides
     for (const Border_curve& curve : m_curves) {
       const double end = CGAL::to_double(t_mesh.end(curve.halfedge));
       const int v = t_mesh.target(curve.halfedge);
@@ -169,7 +170,8 @@ private:
           t_mesh.is_crease(curve.halfedge) ? t_mesh.ends_creases(v) : t_mesh.extended_valence(v) != 2;
       if (end - curve.end > same_point * end || !is_corner || !m_progress.go_on_after(20))
         continue;
-      ++result.number_of_corners;
+      result.number_of_corners += is_counted[v] == 0;
+      is_counted[v] = 1;
       result.largest_corner_distance =
           (std::max)(result.largest_corner_distance, tree.foot(curve.arc.target()).distance());
     }
